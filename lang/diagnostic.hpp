@@ -1,0 +1,46 @@
+#pragma once
+
+#include "lang/source.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::lang {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+/// A further place that belongs to a diagnostic, or a line of advice without a place.
+struct Note {
+  std::optional<Span> span;
+  std::string message;
+};
+
+/// A mistake (or a remark) about a scene, as data. `code` is a key of the registry (`find_code`).
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string code;    ///< "E0204"
+  std::string message; ///< one sentence, names in back quotes, no full stop
+  Span span;
+  std::string label;   ///< beside the carets: "did you mean `radius`?"; may be empty
+  std::vector<Note> notes;
+  std::vector<Note> call_stack; ///< innermost first
+};
+
+/// As it is shown to people: the place, the line with carets, the notes. `use_color` adds terminal colours.
+std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color);
+/// As one JSON array, for machines.
+std::string render_json(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
+
+/// An entry of the registry of codes; `explanation` is what `rtlang explain` prints: what it means, an example that
+/// raises it, and the mended example.
+struct Code {
+  std::string_view code;
+  std::string_view title;
+  std::string_view explanation;
+};
+std::vector<Code> all_codes();
+std::optional<Code> find_code(std::string_view code);
+
+} // namespace rt::lang

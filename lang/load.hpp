@@ -1,0 +1,50 @@
+#pragma once
+
+#include "lang/diagnostic.hpp"
+#include "lang/source.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rt::lang {
+
+/// Bounds on what a scene may cost; exceeding one is a diagnostic with place and call stack.
+struct Limits {
+  std::uint64_t steps = 100'000'000;
+  int recursion = 1'000;
+  std::uint64_t objects = 20'000'000;
+  std::uint64_t memory_bytes = std::uint64_t{8} << 30;
+};
+
+struct LoadOptions {
+  std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text
+  Limits limits;
+  std::vector<std::string> include_roots; ///< folders beyond the scene's own that `include` and `use` may read from
+  const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic
+};
+
+struct LoadStatistics {
+  double parse_seconds = 0, check_seconds = 0, evaluate_seconds = 0;
+  std::uint64_t bytes = 0, steps = 0;
+};
+
+/// The outcome of loading: a scene unless there is an error among the diagnostics; notes say what was assumed.
+struct Loaded {
+  std::optional<scene::Scene> scene;
+  std::vector<Diagnostic> diagnostics;
+  SourceMap sources;
+  LoadStatistics statistics;
+};
+
+/// Text to scene description: parse, check, evaluate. A file that cannot be read is an exception
+/// (std::filesystem::filesystem_error or std::system_error) for the scene itself, a diagnostic for an include.
+Loaded load_file(const std::string& path, const LoadOptions& options);
+/// The same for a text that is not a file; relative includes start from `folder`.
+Loaded load_text(std::string text, std::string name, const std::string& folder, const LoadOptions& options);
+
+} // namespace rt::lang

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+#include "renderer/math/vec3.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// A half-open rectangle of pixels, x to the right, y down from the top.
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  constexpr int width() const { return x1 - x0; }
+  constexpr int height() const { return y1 - y0; }
+  friend constexpr bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+struct Rgb32 {
+  float r = 0, g = 0, b = 0;
+};
+struct Xyz32 {
+  float x = 0, y = 0, z = 0;
+};
+
+/// A finished picture: linear colour of every pixel, row by row from the top left. Where layers were asked for they hold
+/// the first hit of the pixel's centre ray: otherwise they are empty.
+struct Film {
+  int width = 0, height = 0;
+  std::vector<Rgb32> color;
+
+  std::vector<double> depth;            ///< Euclidean distance from the ray's origin; infinite for a miss
+  std::vector<Xyz32> normal;            ///< unit, in the scene's space, turned to the viewer; zero for a miss
+  std::vector<Xyz32> position;          ///< in the scene's space; zero for a miss
+  std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
+  std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
+
+  bool has_layers() const { return !depth.empty(); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+};
+
+} // namespace rt

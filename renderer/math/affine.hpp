@@ -1,0 +1,49 @@
+#pragma once
+
+#include "renderer/math/box3.hpp"
+#include "renderer/math/ray.hpp"
+#include "renderer/math/vec3.hpp"
+
+#include <optional>
+
+namespace rt {
+
+/// An affine map p ↦ x·p.x + y·p.y + z·p.z + translation; x, y, z are the images of the unit vectors.
+struct Affine {
+  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  Vec3 translation{0, 0, 0};
+
+  friend constexpr bool operator==(const Affine&, const Affine&) = default;
+  constexpr Vec3 point(const Vec3& p) const { return x * p.x + y * p.y + z * p.z + translation; }
+  constexpr Vec3 vector(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
+  constexpr Ray ray(const Ray& r) const { return {point(r.origin), vector(r.direction)}; }
+  constexpr double determinant() const { return dot(x, cross(y, z)); }
+
+  /// The map's linear part transposed, applied to `n`: with the *inverse* map this carries a normal, not normalised.
+  constexpr Vec3 transposed_vector(const Vec3& n) const { return {dot(x, n), dot(y, n), dot(z, n)}; }
+
+  static constexpr Affine scaling(const Vec3& s) { return {{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}}; }
+  static constexpr Affine translating(const Vec3& t) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, t}; }
+  /// Right-handed rotation by `degrees` about the line through the origin along `axis` (not zero, any length);
+  /// Rodrigues' formula. Multiples of 90° about a coordinate axis are exact.
+  static Affine rotating(const Vec3& axis, double degrees);
+  /// About x, then y, then z, each in degrees.
+  static Affine rotating_xyz(const Vec3& degrees);
+};
+
+/// a after b: (a * b).point(p) = a.point(b.point(p)).
+constexpr Affine operator*(const Affine& a, const Affine& b) {
+  return {a.vector(b.x), a.vector(b.y), a.vector(b.z), a.point(b.translation)};
+}
+
+/// The inverse map; nothing if the determinant is zero or not finite.
+std::optional<Affine> inverse(const Affine& a);
+
+/// The smallest box around the image of `box`; infinite sides stay infinite.
+Box3 transform_box(const Affine& a, const Box3& box);
+
+/// The sine and cosine of an angle in degrees; exact at multiples of 90°, and of 30° where the value is 0, ±½ or ±1.
+double sin_degrees(double degrees);
+double cos_degrees(double degrees);
+
+} // namespace rt

@@ -1,0 +1,175 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+#include "renderer/math/vec3.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+/// A description type (shape, material, light, …) declares its properties once, as a table of `Field`s. Constructors,
+/// type errors, suggestions, documentation and random tests all read that table; nothing else lists properties.
+namespace rt::scene {
+
+/// Index of a pattern in `Scene::patterns`.
+enum class PatternId : std::uint32_t {};
+
+/// A colour, or a pattern that gives one at every point. Where a number is meant it stands as grey.
+using Paint = std::variant<Color, PatternId>;
+
+/// How light weakens with distance D from its source; `distance` is d, in scene lengths.
+struct Fade {
+  enum class Law : std::uint8_t { none, linear, quadratic, inverse_square }; // 1, 1/(1+D/d), 1/(1+(D/d)²), 1/D²
+  Law law = Law::none;
+  double distance = 1;
+  friend bool operator==(const Fade&, const Fade&) = default;
+};
+
+/// One of a field's `choices`, by its position there.
+struct Choice {
+  int index = 0;
+  friend bool operator==(const Choice&, const Choice&) = default;
+};
+
+/// What kind of value a field takes.
+enum class FieldType : std::uint8_t {
+  number,
+  boolean,
+  vector,        ///< three numbers
+  size,          ///< three numbers, or one number for all three
+  color,         ///< a colour, or a number as linear grey
+  paint,         ///< a colour, a number as grey, or a pattern
+  number_paint,  ///< a number, or a pattern of numbers
+  points,        ///< a list of points
+  choice,        ///< one of `Field::choices`, written as a bare name
+  fade,          ///< linear(d), quadratic(d) or inverse_square
+  resolution,    ///< two whole numbers, width and height
+};
+
+/// Width and height in pixels.
+using Resolution = std::array<int, 2>;
+
+using FieldValue = std::variant<double, bool, Vec3, Color, Paint, std::vector<Vec3>, Choice, Fade, Resolution>;
+
+/// What a field's numbers must satisfy (every component, for vectors) or how many points it takes.
+struct Constraint {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_is_excluded = false;
+  bool max_is_excluded = false;
+  bool is_whole = false;     ///< whole numbers only
+  bool is_nonzero = false;   ///< a vector that must have a direction, or a number that must not be 0
+  int min_count = 0;         ///< points
+  int max_count = std::numeric_limits<int>::max();
+};
+
+inline constexpr Constraint any_value{};
+inline constexpr Constraint positive{.min = 0, .min_is_excluded = true};
+inline constexpr Constraint not_negative{.min = 0};
+inline constexpr Constraint zero_to_one{.min = 0, .max = 1};
+inline constexpr Constraint nonzero{.is_nonzero = true};
+
+/// One property of a description type.
+struct Field {
+  std::string_view name;
+  FieldType type;
+  /// Properties of different forms exclude each other (a plane is `normal` and `offset`, or `y`); 0 goes with every form.
+  int form;
+  Constraint constraint;
+  std::string_view default_text; ///< as it would be written; empty where there is none
+  std::string_view help;         ///< one line, with the unit
+  std::span<const std::string_view> choices;
+  void (*set)(void* owner, const FieldValue& value);
+  /// Empty where the property was not written and has no value of its own.
+  std::optional<FieldValue> (*get)(const void* owner);
+};
+
+namespace detail {
+
+template <class Member> struct MemberOf;
+template <class O, class T> struct MemberOf<T O::*> {
+  using Owner = O;
+  using Type = T;
+};
+
+template <class T> struct Unwrap { using Type = T; };
+template <class T> struct Unwrap<std::optional<T>> { using Type = T; };
+
+template <class T> constexpr bool is_points = std::is_same_v<T, std::vector<Vec3>>;
+template <std::size_t N> constexpr bool is_points<std::array<Vec3, N>> = true;
+
+template <class T> FieldValue to_value(const T& member) {
+  if constexpr (std::is_enum_v<T>) return Choice{static_cast<int>(member)};
+  else if constexpr (std::is_same_v<T, int>) return static_cast<double>(member);
+  else if constexpr (is_points<T>) return std::vector<Vec3>(member.begin(), member.end());
+  else return member;
+}
+
+template <class T> T from_value(const FieldValue& value) {
+  if constexpr (std::is_enum_v<T>) return static_cast<T>(std::get<Choice>(value).index);
+  else if constexpr (std::is_same_v<T, int>) return static_cast<int>(std::get<double>(value));
+  else if constexpr (is_points<T> && !std::is_same_v<T, std::vector<Vec3>>) {
+    T points{};
+    const auto& given = std::get<std::vector<Vec3>>(value);
+    for (std::size_t i = 0; i < points.size() && i < given.size(); ++i) points[i] = given[i];
+    return points;
+  } else return std::get<T>(value);
+}
+
+template <class T> constexpr FieldType default_type() {
+  if constexpr (std::is_same_v<T, bool>) return FieldType::boolean;
+  else if constexpr (std::is_same_v<T, Vec3>) return FieldType::vector;
+  else if constexpr (std::is_same_v<T, Color>) return FieldType::color;
+  else if constexpr (std::is_same_v<T, Paint>) return FieldType::paint;
+  else if constexpr (std::is_same_v<T, Fade>) return FieldType::fade;
+  else if constexpr (std::is_same_v<T, Resolution>) return FieldType::resolution;
+  else if constexpr (is_points<T>) return FieldType::points;
+  else if constexpr (std::is_enum_v<T>) return FieldType::choice;
+  else return FieldType::number;
+}
+
+} // namespace detail
+
+/// What a field table says of a member beyond its name and type.
+struct FieldText {
+  std::string_view default_text;
+  std::string_view help;
+  Constraint constraint = any_value;
+  int form = 0;
+  std::optional<FieldType> type = std::nullopt; ///< where the member's type alone does not say it
+  std::span<const std::string_view> choices = {};
+};
+
+/// The table row for `Member`, a pointer to a data member: `field<&Sphere::radius>("radius", {.default_text = "1", …})`.
+/// `set` expects the FieldValue alternative that belongs to the member's type.
+template <auto Member> constexpr Field field(std::string_view name, const FieldText& text) {
+  using Owner = typename detail::MemberOf<decltype(Member)>::Owner;
+  using Stored = typename detail::MemberOf<decltype(Member)>::Type;
+  using T = typename detail::Unwrap<Stored>::Type;
+  return {name, text.type.value_or(detail::default_type<T>()), text.form, text.constraint, text.default_text, text.help,
+          text.choices,
+          [](void* owner, const FieldValue& value) {
+            static_cast<Owner*>(owner)->*Member = detail::from_value<T>(value);
+          },
+          [](const void* owner) -> std::optional<FieldValue> {
+            const Stored& member = static_cast<const Owner*>(owner)->*Member;
+            if constexpr (std::is_same_v<Stored, T>) return detail::to_value<T>(member);
+            else return member ? std::optional<FieldValue>(detail::to_value<T>(*member)) : std::nullopt;
+          }};
+}
+
+/// Why a description that passes every field's constraint is still not a shape, light, …: two points coincide, a
+/// polygon is not planar. `field` is the property to blame.
+struct Problem {
+  std::string_view field;
+  std::string message;
+};
+
+} // namespace rt::scene

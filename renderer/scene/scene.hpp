@@ -1,0 +1,62 @@
+#pragma once
+
+#include "renderer/scene/camera.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/scene/object.hpp"
+#include "renderer/shapes/shapes.hpp"
+
+#include <string>
+
+namespace rt::scene {
+
+/// A light, its own chain, and the placements of the composites it stands in, from the inside out. Its position and
+/// direction in the scene are its fields carried through `chain` and then each of `enclosing`.
+struct Light {
+  LightSource source;
+  std::vector<Step> chain;
+  std::vector<Placement> enclosing;
+  NameId name = no_name;
+  Origin origin;
+};
+
+/// All that a scene file says, as plain data: what evaluation yields and the compiler, the exporter and `rtlang scene`
+/// read. Parameters stand as they were written; nothing is derived.
+struct Scene {
+  Resolution size{800, 600};
+  Color background = black;
+  Color ambient = grey(0.1);
+  int max_depth = 8;
+  int samples = 1; ///< a square number
+
+  Camera camera;
+  Origin camera_origin;
+  std::vector<Light> lights;
+  std::vector<Object> objects; ///< in order of declaration, which decides between equally distant hits
+
+  Shapes shapes;
+  std::vector<Material> materials;
+  std::vector<Pattern> patterns;
+  std::vector<Placement> turns; ///< `at` unused: it is in the object
+  std::vector<std::string> names;
+  std::vector<std::string> files;
+};
+
+/// The fields of the scene itself: size, background, ambient, max_depth, samples.
+std::span<const Field> fields(const Scene*);
+std::optional<Problem> check(const Scene&);
+
+/// The object's placement in its parent, whole.
+Placement placement(const Scene& scene, const Object& object);
+/// The map from the object's own space to its parent's.
+Affine to_parent(const Scene& scene, const Object& object);
+/// The light's map from where its fields hold to the scene.
+Affine to_world(const Light& light);
+
+/// The box around an object in its parent's space, and around all visible objects (infinite where a shape is).
+Box3 bounds(const Scene& scene, const Object& object);
+/// The box around the finite visible objects: what a camera that was not written frames. Empty where there are none.
+Box3 finite_bounds(const Scene& scene);
+/// Number of primitives (neither groups nor combinations' own nodes), instances counted each time.
+std::uint64_t count_primitives(const Scene& scene);
+
+} // namespace rt::scene

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "renderer/math/affine.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+/// Transforms as they were written. Nothing here is multiplied out: whoever reads a description (the compiler, the
+/// POV-Ray exporter) does that on its own.
+namespace rt::scene {
+
+/// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin unless given.
+struct ScaleStep {
+  Vec3 factors{1, 1, 1};
+  Vec3 about{};
+};
+/// About the x, then the y, then the z axis, in degrees.
+struct RotateStep {
+  Vec3 degrees{};
+  Vec3 about{};
+};
+/// Right-handed about `axis` (not zero), in degrees.
+struct RotateAxisStep {
+  Vec3 axis{0, 1, 0};
+  double degrees = 0;
+  Vec3 about{};
+};
+struct MoveStep {
+  Vec3 offset{};
+};
+/// x' = x + xy·y + xz·z, y' = y + yx·x + yz·z, z' = z + zx·x + zy·y.
+struct ShearStep {
+  double xy = 0, xz = 0, yx = 0, yz = 0, zx = 0, zy = 0;
+  Vec3 about{};
+};
+/// Through the plane that contains `about` and is perpendicular to `normal` (not zero).
+struct MirrorStep {
+  Vec3 normal{1, 0, 0};
+  Vec3 about{};
+};
+struct MatrixStep {
+  Affine matrix;
+};
+using Step = std::variant<ScaleStep, RotateStep, RotateAxisStep, MoveStep, ShearStep, MirrorStep, MatrixStep>;
+
+/// Where a thing stands in its parent's space: scaled, then rotated (x, y, z in degrees), then moved to `at`, then each
+/// step of the chain, left to right.
+struct Placement {
+  Vec3 scale{1, 1, 1};
+  Vec3 rotate{};
+  Vec3 at{};
+  std::vector<Step> chain;
+};
+
+/// The map of one step, and of a whole placement, from the thing's own space to its parent's.
+Affine matrix(const Step& step);
+Affine matrix(const Placement& placement);
+
+/// Index into `Scene::turns`, `no_turn` where there is neither scale, rotation nor chain: almost every object of a large
+/// scene, which is why `Object` keeps only `at` itself.
+enum class TurnId : std::uint32_t {};
+inline constexpr TurnId no_turn{0xffffffff};
+
+} // namespace rt::scene

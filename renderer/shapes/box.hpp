@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// A solid with faces perpendicular to the axes: `size` about the origin of the shape's own space, or between the opposite
+/// corners `from` and `to`.
+struct Box {
+  static constexpr std::string_view noun = "box";
+  std::optional<Vec3> size; ///< 1 each way where no form is written
+  std::optional<Vec3> from, to;
+};
+
+std::span<const Field> fields(const Box*);
+std::optional<Problem> check(const Box&);
+
+} // namespace rt::scene

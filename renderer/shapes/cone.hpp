@@ -1,0 +1,21 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// The surface swept by a circle whose radius goes from `radius` at `from` to `top_radius` at `to` (0: a point), closed by
+/// a disc at each end whose radius is not 0; `open` leaves the discs out.
+struct Cone {
+  static constexpr std::string_view noun = "cone";
+  Vec3 from{0, 0, 0};
+  Vec3 to{0, 1, 0};
+  double radius = 1;
+  double top_radius = 0;
+  bool open = false;
+};
+
+std::span<const Field> fields(const Cone*);
+std::optional<Problem> check(const Cone&);
+
+} // namespace rt::scene

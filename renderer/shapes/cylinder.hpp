@@ -1,0 +1,23 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// The points at `radius` from the segment `from`–`to`, and the two discs that close it; or, about the origin of the
+/// shape's own space, along `axis` for `height` (half of it each way). `open` leaves out the discs; `infinite` goes on
+/// along the axis both ways.
+struct Cylinder {
+  static constexpr std::string_view noun = "cylinder";
+  std::optional<Vec3> from, to;
+  std::optional<Vec3> axis;     ///< +y where no form is written
+  std::optional<double> height; ///< 1 where it is not written
+  double radius = 1;
+  bool open = false;
+  bool infinite = false;
+};
+
+std::span<const Field> fields(const Cylinder*);
+std::optional<Problem> check(const Cylinder&);
+
+} // namespace rt::scene

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// The points p with n̂·p = offset, n̂ the unit vector along `normal`; or those of one coordinate: `x: k`, `y: k`, `z: k`.
+/// As a solid it is the half-space on the side the normal points away from.
+struct Plane {
+  static constexpr std::string_view noun = "plane";
+  std::optional<Vec3> normal; ///< +y where no form is written
+  std::optional<double> offset;
+  std::optional<double> x, y, z;
+};
+
+std::span<const Field> fields(const Plane*);
+std::optional<Problem> check(const Plane&);
+
+} // namespace rt::scene

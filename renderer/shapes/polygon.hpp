@@ -1,0 +1,16 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// The inside of a closed chain of at least three points of one plane, which may be non-convex.
+struct Polygon {
+  static constexpr std::string_view noun = "polygon";
+  std::vector<Vec3> points{{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 1, 0}, {-0.5, 1, 0}};
+};
+
+std::span<const Field> fields(const Polygon*);
+std::optional<Problem> check(const Polygon&);
+
+} // namespace rt::scene

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// A flat four-sided face: a square of `size` about the origin of the shape's own space, perpendicular to `normal`; or
+/// the parallelogram at `corner` spanned by `edge_u` and `edge_v`; or four `points` of one plane, in order.
+struct Quad {
+  static constexpr std::string_view noun = "quad";
+  std::optional<double> size; ///< 1 where no form is written
+  std::optional<Vec3> normal; ///< +y where it is not written
+  std::optional<Vec3> corner, edge_u, edge_v;
+  std::optional<std::vector<Vec3>> points;
+};
+
+std::span<const Field> fields(const Quad*);
+std::optional<Problem> check(const Quad&);
+
+} // namespace rt::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/scene/field.hpp"
+
+namespace rt::scene {
+
+/// A triangle with its edges. `normals`, one for each corner or none at all, are interpolated over it to make it look
+/// curved: each is carried to the scene and normalised before the interpolation.
+struct Triangle {
+  static constexpr std::string_view noun = "triangle";
+  std::array<Vec3, 3> points{Vec3{-0.5, 0, 0}, Vec3{0.5, 0, 0}, Vec3{0, 1, 0}};
+  std::vector<Vec3> normals;
+};
+
+std::span<const Field> fields(const Triangle*);
+std::optional<Problem> check(const Triangle&);
+
+} // namespace rt::scene

@@ -33,14 +33,18 @@ std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool 
 /// As one JSON array, for machines.
 std::string render_json(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
 
-/// An entry of the registry of codes; `explanation` is what `rtlang explain` prints: what it means, an example that
-/// raises it, and the mended example.
+/// An entry of the registry of codes: one row of a table in `lang/codes/`.
 struct Code {
-  std::string_view code;
-  std::string_view title;
-  std::string_view explanation;
+  std::string_view code;    ///< "E0204"
+  std::string_view title;   ///< a few words, no full stop
+  std::string_view meaning; ///< a paragraph or two: what is wrong, why it is a mistake, what to do
+  std::string_view example; ///< a scene that raises it; empty where no scene's text alone can
+  std::string_view mended;  ///< the same scene as it should be
 };
+/// All groups, in order.
 std::vector<Code> all_codes();
 std::optional<Code> find_code(std::string_view code);
+/// What `rtlang explain` prints.
+std::string explain(const Code& code);
 
 } // namespace rt::lang

@@ -1,0 +1,39 @@
+#include "lang/codes/groups.hpp"
+
+#include <fmt/format.h>
+
+namespace rt::lang {
+
+std::vector<Code> all_codes() {
+  std::vector<Code> all;
+  for (const auto& group : {codes::syntax(), codes::names(), codes::values(), codes::things(), codes::limits(),
+                            codes::files(), codes::remarks()}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
+
+std::optional<Code> find_code(std::string_view code) {
+  for (const Code& entry : all_codes()) {
+    if (entry.code == code) return entry;
+  }
+  return std::nullopt;
+}
+
+std::string explain(const Code& code) {
+  std::string text = fmt::format("{}: {}\n\n{}\n", code.code, code.title, code.meaning);
+  const auto append = [&](std::string_view heading, std::string_view scene) {
+    if (scene.empty()) return;
+    text += fmt::format("\n{}\n\n", heading);
+    while (!scene.empty()) {
+      const std::size_t end = std::min(scene.find('\n'), scene.size());
+      text += fmt::format("{}{}\n", end == 0 ? "" : "    ", scene.substr(0, end));
+      scene.remove_prefix(std::min(end + 1, scene.size()));
+    }
+  };
+  append("This raises it:", code.example);
+  append("Mended:", code.mended);
+  return text;
+}
+
+} // namespace rt::lang

@@ -1,0 +1,13 @@
+#include "lang/codes/groups.hpp"
+
+#include <vector>
+
+namespace rt::lang::codes {
+
+std::span<const Code> remarks() {
+  static const std::vector<Code> table = {
+  };
+  return table;
+}
+
+} // namespace rt::lang::codes

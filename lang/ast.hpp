@@ -130,6 +130,7 @@ public:
   Span span(NodeId id) const { return {file, (*this)[id].begin, (*this)[id].end}; }
 
   double number(NodeId id) const;
+  void set_number(NodeId id, double value);
   bool boolean(NodeId id) const { return (*this)[id].a != 0; }
   std::uint32_t color(NodeId id) const { return (*this)[id].a; }
   std::string_view text(NodeId id) const { return strings[(*this)[id].a]; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace rt::lang {
@@ -42,10 +44,37 @@ std::string folded(std::string_view word) {
   return out;
 }
 
-// A third of the word may be wrong: one slip in a word of three letters, two from six on, never more than three. In words
-// of one or two letters any slip makes another word.
-int allowed_slips(std::size_t length) { return length <= 2 ? 0 : static_cast<int>(std::min<std::size_t>((length + 2) / 4 + (length >= 6 ? 0 : 0), 3)); }
+// About a third of a word may be wrong; in one or two letters any slip makes another word.
+int allowed_slips(std::size_t length) { return length < 3 ? 0 : std::clamp(static_cast<int>(length) / 3, 1, 3); }
+
+// How far a candidate is, or nothing where it is too far. Case and underscores are no slips, and a word that was cut short
+// (`rad`) or two swapped letters (`ta`) are as near as one slip.
+std::optional<int> slips(const std::string& word, const std::string& candidate) {
+  if (word == candidate) return 0;
+  if (word.size() >= 3 && candidate.starts_with(word)) return 1;
+  if (word.size() == 2 && candidate.size() == 2 && word[0] == candidate[1] && word[1] == candidate[0]) return 1;
+  const int allowed = allowed_slips(std::max(word.size(), candidate.size()));
+  const int distance = edit_distance(word, candidate, allowed);
+  return distance <= allowed ? std::optional(distance) : std::nullopt;
+}
 
 } // namespace
+
+std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::string plain = folded(word);
+  std::optional<std::string_view> best;
+  std::pair<int, bool> best_score;
+  for (const std::string_view candidate : candidates) {
+    if (candidate == word) continue;
+    const std::string other = folded(candidate);
+    const std::optional<int> distance = slips(plain, other);
+    if (!distance) continue;
+    const std::pair score(*distance, plain.substr(0, 1) != other.substr(0, 1)); // first letters are seldom wrong
+    if (best && score >= best_score) continue;
+    best = candidate;
+    best_score = score;
+  }
+  return best;
+}
 
 } // namespace rt::lang

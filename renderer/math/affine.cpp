@@ -49,6 +49,15 @@ std::optional<Affine> inverse(const Affine& a) {
   return inv;
 }
 
+std::optional<double> similarity_scale(const Affine& a) {
+  const double scale = length(a.x);
+  const double tolerance = 1e-14 * scale * scale;
+  const auto differ = [&](double p, double q) { return !(std::abs(p - q) <= tolerance); };
+  if (!(scale > 0) || differ(dot(a.y, a.y), dot(a.x, a.x)) || differ(dot(a.z, a.z), dot(a.x, a.x))) return std::nullopt;
+  if (differ(dot(a.x, a.y), 0) || differ(dot(a.y, a.z), 0) || differ(dot(a.z, a.x), 0)) return std::nullopt;
+  return scale;
+}
+
 Box3 transform_box(const Affine& a, const Box3& box) {
   if (box.is_empty()) return box;
   Box3 image{a.translation, a.translation};

@@ -22,6 +22,15 @@ struct Affine {
   /// The map's linear part transposed, applied to `n`: with the *inverse* map this carries a normal, not normalised.
   constexpr Vec3 transposed_vector(const Vec3& n) const { return {dot(x, n), dot(y, n), dot(z, n)}; }
 
+  /// A vector perpendicular to the image of a surface whose outward normal is `n`, outward too, not normalised: the
+  /// inverse transposed times |determinant|, which needs no inverse.
+  constexpr Vec3 normal(const Vec3& n) const {
+    const Vec3 image = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
+    return determinant() < 0 ? -image : image;
+  }
+  /// How the given coordinate of an image depends on x, y and z.
+  constexpr Vec3 row(std::size_t axis) const { return {x[axis], y[axis], z[axis]}; }
+
   static constexpr Affine scaling(const Vec3& s) { return {{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}}; }
   static constexpr Affine translating(const Vec3& t) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, t}; }
   /// Right-handed rotation by `degrees` about the line through the origin along `axis` (not zero, any length);
@@ -38,6 +47,9 @@ constexpr Affine operator*(const Affine& a, const Affine& b) {
 
 /// The inverse map; nothing if the determinant is zero or not finite.
 std::optional<Affine> inverse(const Affine& a);
+
+/// The factor by which the map enlarges all lengths alike, if it does (to 1e-14): it turns, mirrors, moves and scales only.
+std::optional<double> similarity_scale(const Affine& a);
 
 /// The smallest box around the image of `box`; infinite sides stay infinite.
 Box3 transform_box(const Affine& a, const Box3& box);

@@ -52,11 +52,14 @@ Affine to_parent(const Scene& scene, const Object& object);
 /// The light's map from where its fields hold to the scene.
 Affine to_world(const Light& light);
 
-/// The box around an object in its parent's space, and around all visible objects (infinite where a shape is).
+/// The box around an object in its parent's space, and around all visible ones; infinite where a shape is, up to rounding.
+/// Asking for many instances of a group one by one computes the group's box each time.
 Box3 bounds(const Scene& scene, const Object& object);
+Box3 bounds(const Scene& scene);
 /// The box around the finite visible objects: what a camera that was not written frames. Empty where there are none.
 Box3 finite_bounds(const Scene& scene);
-/// Number of primitives (neither groups nor combinations' own nodes), instances counted each time.
+/// Number of visible primitives (neither groups nor combinations' own nodes), instances counted each time; the largest
+/// number there is where it would be more.
 std::uint64_t count_primitives(const Scene& scene);
 
 } // namespace rt::scene

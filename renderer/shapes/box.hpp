@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -16,3 +17,15 @@ std::span<const Field> fields(const Box*);
 std::optional<Problem> check(const Box&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct BoxGeometry {
+  Vec3 lower, upper;
+};
+
+BoxGeometry geometry(const scene::Box& box);
+std::optional<BoxGeometry> placed(const BoxGeometry& box, const Affine& map);
+Box3 bounds(const BoxGeometry& box, const Affine& map = {});
+
+} // namespace rt

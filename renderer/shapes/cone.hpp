@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -19,3 +20,22 @@ std::span<const Field> fields(const Cone*);
 std::optional<Problem> check(const Cone&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+/// At height z above `base`, 0 ≤ z ≤ height, the radius is radius + slope·z.
+struct ConeGeometry {
+  Vec3 base;
+  Vec3 axis; ///< unit
+  double height = 1;
+  double radius = 1;
+  double top_radius = 0;
+  double slope = -1; ///< (top_radius − radius) / height
+  bool is_open = false;
+};
+
+ConeGeometry geometry(const scene::Cone& cone);
+std::optional<ConeGeometry> placed(const ConeGeometry& cone, const Affine& map);
+Box3 bounds(const ConeGeometry& cone, const Affine& map = {});
+
+} // namespace rt

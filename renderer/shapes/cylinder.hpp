@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -21,3 +22,20 @@ std::span<const Field> fields(const Cylinder*);
 std::optional<Problem> check(const Cylinder&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct CylinderGeometry {
+  enum class Extent : std::uint8_t { closed, open, infinite };
+  Vec3 base; ///< the end at height 0, on the axis
+  Vec3 axis; ///< unit
+  double height = 1;
+  double radius = 1;
+  Extent extent = Extent::closed; ///< the height of what is infinite has no meaning
+};
+
+CylinderGeometry geometry(const scene::Cylinder& cylinder);
+std::optional<CylinderGeometry> placed(const CylinderGeometry& cylinder, const Affine& map);
+Box3 bounds(const CylinderGeometry& cylinder, const Affine& map = {});
+
+} // namespace rt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -17,3 +18,21 @@ std::span<const Field> fields(const Disc*);
 std::optional<Problem> check(const Disc&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct DiscGeometry {
+  Vec3 center;
+  Vec3 normal; ///< unit
+  double radius = 1;
+  double hole = 0;
+};
+
+DiscGeometry geometry(const scene::Disc& disc);
+std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map);
+Box3 bounds(const DiscGeometry& disc, const Affine& map = {});
+
+/// The box around the image of a circle's disc; `normal` is a unit vector.
+Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, double radius);
+
+} // namespace rt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -17,3 +18,18 @@ std::span<const Field> fields(const Plane*);
 std::optional<Problem> check(const Plane&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+/// The points p with normal·p = offset; solid where normal·p < offset. The normal is a unit vector.
+struct PlaneGeometry {
+  Vec3 normal;
+  double offset = 0;
+};
+
+PlaneGeometry geometry(const scene::Plane& plane);
+std::optional<PlaneGeometry> placed(const PlaneGeometry& plane, const Affine& map);
+/// Of the solid half-space.
+Box3 bounds(const PlaneGeometry& plane, const Affine& map = {});
+
+} // namespace rt

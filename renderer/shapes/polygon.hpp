@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -14,3 +15,16 @@ std::span<const Field> fields(const Polygon*);
 std::optional<Problem> check(const Polygon&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct PolygonGeometry {
+  std::vector<Vec3> points;
+  Vec3 normal; ///< unit; the points run counterclockwise about it
+};
+
+PolygonGeometry geometry(const scene::Polygon& polygon);
+std::optional<PolygonGeometry> placed(const PolygonGeometry& polygon, const Affine& map);
+Box3 bounds(const PolygonGeometry& polygon, const Affine& map = {});
+
+} // namespace rt

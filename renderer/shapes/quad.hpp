@@ -1,11 +1,15 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
 /// A flat four-sided face: a square of `size` about the origin of the shape's own space, perpendicular to `normal`; or
 /// the parallelogram at `corner` spanned by `edge_u` and `edge_v`; or four `points` of one plane, in order.
+///
+/// The square stands upright: two of its edges are level, along u = y × normal (along x where the normal is vertical, to
+/// 1e-9), the others along normal × u.
 struct Quad {
   static constexpr std::string_view noun = "quad";
   std::optional<double> size; ///< 1 where no form is written
@@ -18,3 +22,16 @@ std::span<const Field> fields(const Quad*);
 std::optional<Problem> check(const Quad&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct QuadGeometry {
+  std::array<Vec3, 4> points;
+  Vec3 normal; ///< unit; the points run counterclockwise about it
+};
+
+QuadGeometry geometry(const scene::Quad& quad);
+std::optional<QuadGeometry> placed(const QuadGeometry& quad, const Affine& map);
+Box3 bounds(const QuadGeometry& quad, const Affine& map = {});
+
+} // namespace rt

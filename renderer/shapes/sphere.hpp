@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -14,3 +15,16 @@ std::span<const Field> fields(const Sphere*);
 std::optional<Problem> check(const Sphere&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct SphereGeometry {
+  Vec3 center;
+  double radius = 1;
+};
+
+SphereGeometry geometry(const scene::Sphere& sphere);
+std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map);
+Box3 bounds(const SphereGeometry& sphere, const Affine& map = {});
+
+} // namespace rt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
+#include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
 
@@ -16,3 +17,15 @@ std::span<const Field> fields(const Triangle*);
 std::optional<Problem> check(const Triangle&);
 
 } // namespace rt::scene
+
+namespace rt {
+
+struct TriangleGeometry {
+  std::array<Vec3, 3> points;
+};
+
+TriangleGeometry geometry(const scene::Triangle& triangle);
+std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const Affine& map);
+Box3 bounds(const TriangleGeometry& triangle, const Affine& map = {});
+
+} // namespace rt

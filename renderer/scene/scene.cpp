@@ -1,0 +1,166 @@
+#include "renderer/scene/scene.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace rt::scene {
+namespace {
+
+template <class S> constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
+
+bool refers_to_composite(ShapeRef ref) { return ref.kind == kind_of<Group> || ref.kind == kind_of<Combination>; }
+
+const std::vector<Object>& parts(const Scene& scene, ShapeRef composite) {
+  if (composite.kind == kind_of<Group>) return scene.shapes.get<Group>(composite).members;
+  return scene.shapes.get<Combination>(composite).operands;
+}
+
+/// A value of type T for each group and combination that is asked about: few, where one object of many is.
+template <class T> class PerComposite {
+public:
+  T& operator[](ShapeRef ref) { return values_[key(ref)]; }
+  const T& at(ShapeRef ref) const { return values_.at(key(ref)); }
+
+private:
+  static std::uint64_t key(ShapeRef ref) { return std::uint64_t{ref.index} << 8 | ref.kind; }
+  std::unordered_map<std::uint64_t, T> values_;
+};
+
+/// The composites below `roots`, each once, every one after those it is made of. No recursion: scenes may nest as deep
+/// as they like.
+std::vector<ShapeRef> innermost_first(const Scene& scene, std::span<const Object> roots) {
+  struct Visit {
+    std::span<const Object> objects;
+    std::size_t next = 0;
+    ShapeRef owner;
+  };
+  std::vector<ShapeRef> order;
+  PerComposite<bool> is_found;
+  std::vector<Visit> path{{roots, 0, {}}};
+  while (true) {
+    Visit& visit = path.back();
+    if (visit.next == visit.objects.size()) {
+      if (path.size() == 1) return order;
+      order.push_back(visit.owner);
+      path.pop_back();
+      continue;
+    }
+    const ShapeRef shape = visit.objects[visit.next++].shape;
+    if (!refers_to_composite(shape) || is_found[shape]) continue;
+    is_found[shape] = true;
+    path.push_back({parts(scene, shape), 0, shape});
+  }
+}
+
+/// All there is of a thing, and what of it is finite: a sphere beside a plane in a group counts for the second.
+struct Extents {
+  Box3 whole, finite;
+
+  void extend(const Extents& e) { whole.extend(e.whole), finite.extend(e.finite); }
+};
+
+Extents extents_of(const Box3& box) { return {box, box.is_finite() ? box : Box3{}}; }
+
+Extents mapped(const Affine& map, const Extents& e) { return {transform_box(map, e.whole), transform_box(map, e.finite)}; }
+
+Box3 overlap(const Box3& a, const Box3& b) {
+  const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};
+  return both.is_empty() ? Box3{} : both;
+}
+
+using CompositeExtents = PerComposite<Extents>;
+
+/// In the parent's space.
+Extents extents(const Scene& scene, const Object& object, const CompositeExtents& known) {
+  const Affine map = to_parent(scene, object);
+  if (refers_to_composite(object.shape)) return mapped(map, known.at(object.shape));
+  return scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
+    if constexpr (is_composite<S>) return Extents{};
+    else return extents_of(bounds(geometry(shape), map));
+  });
+}
+
+Extents group_extents(const Scene& scene, std::span<const Object> members, const CompositeExtents& known) {
+  Extents all;
+  for (const Object& member : members) {
+    if (member.is_visible) all.extend(extents(scene, member, known));
+  }
+  return all;
+}
+
+/// A difference lies within its first operand, an intersection within each.
+Extents combination_extents(const Scene& scene, const Combination& combination, const CompositeExtents& known) {
+  const auto& operands = combination.operands;
+  if (combination.operation == Combination::Operation::unite) return group_extents(scene, operands, known);
+  if (operands.empty()) return {};
+  if (combination.operation == Combination::Operation::subtract)
+    return group_extents(scene, std::span(operands).first(1), known);
+  std::optional<Box3> common; // of what is visible
+  for (const Object& operand : operands) {
+    if (!operand.is_visible) continue;
+    const Box3 box = extents(scene, operand, known).whole;
+    common = common ? overlap(*common, box) : box;
+  }
+  return extents_of(common.value_or(Box3{}));
+}
+
+CompositeExtents composite_extents(const Scene& scene, std::span<const Object> roots) {
+  CompositeExtents known;
+  for (const ShapeRef ref : innermost_first(scene, roots)) {
+    known[ref] = ref.kind == kind_of<Group>
+                     ? group_extents(scene, scene.shapes.get<Group>(ref).members, known)
+                     : combination_extents(scene, scene.shapes.get<Combination>(ref), known);
+  }
+  return known;
+}
+
+Extents scene_extents(const Scene& scene) {
+  return group_extents(scene, scene.objects, composite_extents(scene, scene.objects));
+}
+
+std::uint64_t saturating_sum(std::uint64_t a, std::uint64_t b) {
+  return a > std::numeric_limits<std::uint64_t>::max() - b ? std::numeric_limits<std::uint64_t>::max() : a + b;
+}
+
+} // namespace
+
+Placement placement(const Scene& scene, const Object& object) {
+  Placement whole = object.turn == no_turn ? Placement{} : scene.turns[static_cast<std::size_t>(object.turn)];
+  whole.at = object.at;
+  return whole;
+}
+
+Affine to_parent(const Scene& scene, const Object& object) {
+  if (object.turn == no_turn) return Affine::translating(object.at);
+  return matrix(placement(scene, object));
+}
+
+Affine to_world(const Light& light) {
+  Affine map;
+  for (const Step& step : light.chain) map = matrix(step) * map;
+  for (const Placement& outer : light.enclosing) map = matrix(outer) * map;
+  return map;
+}
+
+Box3 bounds(const Scene& scene, const Object& object) {
+  return extents(scene, object, composite_extents(scene, {&object, 1})).whole;
+}
+
+Box3 bounds(const Scene& scene) { return scene_extents(scene).whole; }
+
+Box3 finite_bounds(const Scene& scene) { return scene_extents(scene).finite; }
+
+std::uint64_t count_primitives(const Scene& scene) {
+  PerComposite<std::uint64_t> known;
+  const auto count = [&](std::span<const Object> objects) {
+    std::uint64_t sum = 0;
+    for (const Object& object : objects) {
+      if (object.is_visible) sum = saturating_sum(sum, refers_to_composite(object.shape) ? known.at(object.shape) : 1);
+    }
+    return sum;
+  };
+  for (const ShapeRef ref : innermost_first(scene, scene.objects)) known[ref] = count(parts(scene, ref));
+  return count(scene.objects);
+}
+
+} // namespace rt::scene

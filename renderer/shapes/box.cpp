@@ -1,0 +1,46 @@
+#include "renderer/shapes/box.hpp"
+
+#include <fmt/format.h>
+
+namespace rt::scene {
+
+std::span<const Field> fields(const Box*) {
+  static constexpr Field table[] = {
+      field<&Box::size>("size", {"1", "edge lengths along x, y and z, or one for all; the middle is at `at`", positive, 1, FieldType::size}),
+      field<&Box::from>("from", {"", "one corner", any_value, 2}),
+      field<&Box::to>("to", {"", "the opposite corner", any_value, 2}),
+  };
+  return table;
+}
+
+std::optional<Problem> check(const Box& box) {
+  if (box.from && !box.to) return Problem{"from", "a box with `from` needs `to`, the opposite corner"};
+  if (box.to && !box.from) return Problem{"to", "a box with `to` needs `from`, the opposite corner"};
+  if (!box.from) return std::nullopt;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if ((*box.from)[axis] == (*box.to)[axis])
+      return Problem{"to", fmt::format("`from` and `to` have the same {0}: the box has no size along {0}", "xyz"[axis])};
+  }
+  return std::nullopt;
+}
+
+} // namespace rt::scene
+
+namespace rt {
+
+BoxGeometry geometry(const scene::Box& box) {
+  if (box.from) return {min(*box.from, *box.to), max(*box.from, *box.to)};
+  const Vec3 half = box.size.value_or(Vec3{1, 1, 1}) * 0.5;
+  return {-half, half};
+}
+
+std::optional<BoxGeometry> placed(const BoxGeometry& box, const Affine& map) {
+  const bool keeps_axes = map.x.y == 0 && map.x.z == 0 && map.y.x == 0 && map.y.z == 0 && map.z.x == 0 && map.z.y == 0;
+  if (!keeps_axes) return std::nullopt;
+  const Vec3 a = map.point(box.lower), b = map.point(box.upper);
+  return BoxGeometry{min(a, b), max(a, b)};
+}
+
+Box3 bounds(const BoxGeometry& box, const Affine& map) { return transform_box(map, {box.lower, box.upper}); }
+
+} // namespace rt

@@ -1,0 +1,65 @@
+#include "renderer/shapes/cylinder.hpp"
+
+#include "renderer/shapes/disc.hpp"
+
+namespace rt::scene {
+
+std::span<const Field> fields(const Cylinder*) {
+  static constexpr Field table[] = {
+      field<&Cylinder::from>("from", {"", "centre of one end", any_value, 1}),
+      field<&Cylinder::to>("to", {"", "centre of the other end", any_value, 1}),
+      field<&Cylinder::axis>("axis", {"[0, 1, 0]", "direction of the axis; the middle is at `at`", nonzero, 2}),
+      field<&Cylinder::height>("height", {"1", "length from end to end, half of it each way", positive, 2}),
+      field<&Cylinder::radius>("radius", {"1", "distance from the axis to the surface", positive}),
+      field<&Cylinder::open>("open", {"false", "true: a tube, without the discs that close it"}),
+      field<&Cylinder::infinite>("infinite", {"false", "true: goes on along its axis without end, both ways"}),
+  };
+  return table;
+}
+
+std::optional<Problem> check(const Cylinder& cylinder) {
+  if (cylinder.from && !cylinder.to) return Problem{"from", "a cylinder with `from` needs `to`, the centre of its other end"};
+  if (cylinder.to && !cylinder.from) return Problem{"to", "a cylinder with `to` needs `from`, the centre of its other end"};
+  if (cylinder.from && *cylinder.from == *cylinder.to)
+    return Problem{"to", "`from` and `to` are the same point: the cylinder has no length"};
+  return std::nullopt;
+}
+
+} // namespace rt::scene
+
+namespace rt {
+
+CylinderGeometry geometry(const scene::Cylinder& cylinder) {
+  using Extent = CylinderGeometry::Extent;
+  const Extent extent = cylinder.infinite ? Extent::infinite : cylinder.open ? Extent::open : Extent::closed;
+  if (cylinder.from) {
+    const Vec3 along = *cylinder.to - *cylinder.from;
+    return {*cylinder.from, normalize(along), length(along), cylinder.radius, extent};
+  }
+  const Vec3 axis = normalize(cylinder.axis.value_or(Vec3{0, 1, 0}));
+  const double height = cylinder.height.value_or(1);
+  return {axis * (-height / 2), axis, height, cylinder.radius, extent};
+}
+
+std::optional<CylinderGeometry> placed(const CylinderGeometry& cylinder, const Affine& map) {
+  const auto scale = similarity_scale(map);
+  if (!scale) return std::nullopt;
+  return CylinderGeometry{map.point(cylinder.base), normalize(map.vector(cylinder.axis)), cylinder.height * *scale,
+                          cylinder.radius * *scale, cylinder.extent};
+}
+
+Box3 bounds(const CylinderGeometry& cylinder, const Affine& map) {
+  Box3 box = disc_bounds(map, cylinder.base, cylinder.axis, cylinder.radius);
+  if (cylinder.extent != CylinderGeometry::Extent::infinite) {
+    box.extend(disc_bounds(map, cylinder.base + cylinder.axis * cylinder.height, cylinder.axis, cylinder.radius));
+    return box;
+  }
+  const Vec3 along = map.vector(cylinder.axis);
+  const Box3 everywhere = all_space();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (along[axis] != 0) box.lower[axis] = everywhere.lower[axis], box.upper[axis] = everywhere.upper[axis];
+  }
+  return box;
+}
+
+} // namespace rt

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "renderer/math/affine.hpp"
+#include "renderer/math/interval.hpp"
+#include "renderer/math/ray.hpp"
+
+#include <array>
+#include <cstdint>
+
+/// What every shape's geometry offers. `G` stands for SphereGeometry, PlaneGeometry and so on: the shape resolved once
+/// from what was written, in the shape's own space or placed in the scene's.
+///
+///     G geometry(const scene::S&);                           // what was written passes its checks
+///     std::optional<G> placed(const G&, const Affine&);      // in the space the map leads to, if it is a G there too
+///     Box3 bounds(const G&, const Affine& map = {});         // of the mapped shape, up to rounding; maybe infinite
+///     bool intersect(const G&, const Ray&, const Interval&, Hit&);   // the nearest crossing in the interval
+///     SurfacePoint surface_point(const G&, const Ray&, const Hit&);  // that crossing's point and normal
+///
+/// and for solids
+///
+///     bool is_solid(const G&);                               // false: open, it has no inside
+///     Crossings crossings(const G&, const Ray&);             // of the whole line
+///     bool contains(const G&, const Vec3&);
+///
+/// A crossing's t depends on the ray and the shape alone, never on the interval: raising `lower` to the last t leads on to
+/// the next crossing. A ray that only touches a curved surface meets it once; one that runs within a flat face or along
+/// a straight line of a curved one does not meet it.
+namespace rt {
+
+/// A crossing of a ray with a surface, at origin + t·direction. `part` says which of the shape's surfaces it is
+/// (a cylinder's side or one of its ends); it is the shape's own affair.
+struct Hit {
+  double t = 0;
+  std::uint32_t part = 0;
+};
+
+/// A point of a surface. It is refined: no farther than `error` from the surface, however far the ray came. A ray that
+/// starts at `position` + `error`·`normal` (or − `error`·`normal`) is on that side of the surface even after rounding, and
+/// does not meet it again where it starts.
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 normal; ///< unit, outward (away from the solid side); geometric, not turned to the viewer
+  double error = 0;
+};
+
+/// Where a line enters and leaves a solid: at[0] enters, at[1] leaves, at[2] enters again, …; t ascends. t is infinite
+/// where the line is inside all the way. A line that only touches the solid does not enter it.
+struct Crossings {
+  std::array<Hit, 4> at{};
+  int count = 0; ///< even
+
+  void add(const Hit& enter, const Hit& leave) {
+    at[static_cast<std::size_t>(count)] = enter;
+    at[static_cast<std::size_t>(count + 1)] = leave;
+    count += 2;
+  }
+};
+
+} // namespace rt

@@ -1,0 +1,33 @@
+#include "renderer/shapes/sphere.hpp"
+
+namespace rt::scene {
+
+std::span<const Field> fields(const Sphere*) {
+  static constexpr Field table[] = {
+      field<&Sphere::radius>("radius", {"1", "distance from the middle to the surface", positive}),
+  };
+  return table;
+}
+
+std::optional<Problem> check(const Sphere&) { return std::nullopt; }
+
+} // namespace rt::scene
+
+namespace rt {
+
+SphereGeometry geometry(const scene::Sphere& sphere) { return {{}, sphere.radius}; }
+
+std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map) {
+  const auto scale = similarity_scale(map);
+  if (!scale) return std::nullopt;
+  return SphereGeometry{map.point(sphere.center), sphere.radius * *scale};
+}
+
+// The image of a ball is an ellipsoid; along each axis it reaches as far as the map's row is long.
+Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
+  const Vec3 reach = Vec3{length(map.row(0)), length(map.row(1)), length(map.row(2))} * sphere.radius;
+  const Vec3 center = map.point(sphere.center);
+  return {center - reach, center + reach};
+}
+
+} // namespace rt

@@ -1,0 +1,44 @@
+#include "renderer/shapes/triangle.hpp"
+
+#include "renderer/shapes/outline.hpp"
+
+#include <fmt/format.h>
+
+namespace rt::scene {
+
+std::span<const Field> fields(const Triangle*) {
+  static constexpr Constraint three{.min_count = 3, .max_count = 3};
+  static constexpr Constraint none_or_three{.max_count = 3};
+  static constexpr Field table[] = {
+      field<&Triangle::points>("points", {"[[-0.5, 0, 0], [0.5, 0, 0], [0, 1, 0]]", "the three corners", three}),
+      field<&Triangle::normals>("normals", {"[]", "a normal for each corner, to look curved; or none", none_or_three}),
+  };
+  return table;
+}
+
+std::optional<Problem> check(const Triangle& triangle) {
+  if (is_line(triangle.points)) return Problem{"points", "the three points lie on one line: there is no area between them"};
+  if (triangle.normals.empty()) return std::nullopt;
+  if (triangle.normals.size() != 3)
+    return Problem{"normals", fmt::format("a triangle has three normals, one for each corner, or none; here are {}",
+                                          triangle.normals.size())};
+  for (const Vec3& n : triangle.normals) {
+    if (n == Vec3{}) return Problem{"normals", "a normal must have a direction: it cannot be [0, 0, 0]"};
+  }
+  return std::nullopt;
+}
+
+} // namespace rt::scene
+
+namespace rt {
+
+TriangleGeometry geometry(const scene::Triangle& triangle) { return {triangle.points}; }
+
+std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const Affine& map) {
+  const auto& p = triangle.points;
+  return TriangleGeometry{{map.point(p[0]), map.point(p[1]), map.point(p[2])}};
+}
+
+Box3 bounds(const TriangleGeometry& triangle, const Affine& map) { return outline_bounds(triangle.points, map); }
+
+} // namespace rt

@@ -9,6 +9,7 @@ namespace rt::scene {
 /// corners `from` and `to`.
 struct Box {
   static constexpr std::string_view noun = "box";
+  static constexpr std::string_view help = "a block with faces along the axes";
   std::optional<Vec3> size; ///< 1 each way where no form is written
   std::optional<Vec3> from, to;
 };

@@ -9,6 +9,7 @@ namespace rt::scene {
 /// a disc at each end whose radius is not 0; `open` leaves the discs out.
 struct Cone {
   static constexpr std::string_view noun = "cone";
+  static constexpr std::string_view help = "a round bar whose radius changes from end to end";
   Vec3 from{0, 0, 0};
   Vec3 to{0, 1, 0};
   double radius = 1;

@@ -10,6 +10,7 @@ namespace rt::scene {
 /// along the axis both ways.
 struct Cylinder {
   static constexpr std::string_view noun = "cylinder";
+  static constexpr std::string_view help = "a round bar between two points, or along an axis";
   std::optional<Vec3> from, to;
   std::optional<Vec3> axis;     ///< +y where no form is written
   std::optional<double> height; ///< 1 where it is not written

@@ -9,6 +9,7 @@ namespace rt::scene {
 /// `hole` and `radius` from the origin, both included.
 struct Disc {
   static constexpr std::string_view noun = "disc";
+  static constexpr std::string_view help = "a flat round face, with or without a hole";
   Vec3 normal{0, 1, 0};
   double radius = 1;
   double hole = 0;

@@ -9,6 +9,7 @@ namespace rt::scene {
 /// As a solid it is the half-space on the side the normal points away from.
 struct Plane {
   static constexpr std::string_view noun = "plane";
+  static constexpr std::string_view help = "an endless flat surface; as a solid, the half-space behind it";
   std::optional<Vec3> normal; ///< +y where no form is written
   std::optional<double> offset;
   std::optional<double> x, y, z;

@@ -8,6 +8,7 @@ namespace rt::scene {
 /// The inside of a closed chain of at least three points of one plane, which may be non-convex.
 struct Polygon {
   static constexpr std::string_view noun = "polygon";
+  static constexpr std::string_view help = "a flat face with any number of corners";
   std::vector<Vec3> points{{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 1, 0}, {-0.5, 1, 0}};
 };
 

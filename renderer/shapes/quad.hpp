@@ -12,6 +12,7 @@ namespace rt::scene {
 /// 1e-9), the others along normal × u.
 struct Quad {
   static constexpr std::string_view noun = "quad";
+  static constexpr std::string_view help = "a flat face with four corners";
   std::optional<double> size; ///< 1 where no form is written
   std::optional<Vec3> normal; ///< +y where it is not written
   std::optional<Vec3> corner, edge_u, edge_v;

@@ -8,6 +8,7 @@ namespace rt::scene {
 /// The points at `radius` from the origin of the shape's own space (its `at` is part of the placement).
 struct Sphere {
   static constexpr std::string_view noun = "sphere";
+  static constexpr std::string_view help = "a ball about its middle";
   double radius = 1;
 };
 

@@ -9,6 +9,7 @@ namespace rt::scene {
 /// curved: each is carried to the scene and normalised before the interpolation.
 struct Triangle {
   static constexpr std::string_view noun = "triangle";
+  static constexpr std::string_view help = "a flat face with three corners, or one that looks curved";
   std::array<Vec3, 3> points{Vec3{-0.5, 0, 0}, Vec3{0.5, 0, 0}, Vec3{0, 1, 0}};
   std::vector<Vec3> normals;
 };

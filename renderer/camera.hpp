@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderer/math/ray.hpp"
+#include "renderer/scene/camera.hpp"
+
+namespace rt {
+
+/// The rays of a camera for a picture of one size.
+class CameraRays {
+public:
+  /// `camera` must have passed its check: it looks somewhere, and not along `up`.
+  CameraRays(const scene::Camera& camera, scene::Resolution size);
+
+  /// The ray through a point of the picture in continuous pixel coordinates: (0, 0) is the top left corner, and the
+  /// pixel (i, j) has its centre at (i + ½, j + ½). The direction is a unit vector.
+  Ray ray(double x, double y) const;
+
+  /// The ray of one sample of a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
+  Ray ray(int pixel_x, int pixel_y, int sample, int n) const;
+
+private:
+  Vec3 origin_;
+  Vec3 forward_, right_, down_; // right_ and down_ reach from the picture's middle to its edges
+  double width_, height_;
+  bool is_orthographic_;
+};
+
+} // namespace rt

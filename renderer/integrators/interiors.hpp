@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// The inside of a transparent solid.
+struct Interior {
+  std::uint64_t id = 0; ///< the placed solid's, different for each instance
+  double ior = 1;
+};
+
+/// What passing a surface does to the list of solids that a ray is inside of.
+struct Passage {
+  enum class Kind : std::uint8_t { entering, leaving, leaving_outer };
+  Kind kind = Kind::entering;
+  double ior_from = 1, ior_to = 1;
+  double eta() const { return ior_from / ior_to; }
+};
+
+/// The lists of solids that the rays of one tree of rays are inside of, outermost first. Lists are handles into storage
+/// that grows with the tree and shrinks again with it, so that tracing does not allocate.
+class InteriorLists {
+public:
+  struct List {
+    std::uint32_t begin = 0, size = 0;
+  };
+
+  /// Storage that is in use; `release(mark)` gives back what was made since.
+  std::uint32_t mark() const { return static_cast<std::uint32_t>(storage_.size()); }
+  void release(std::uint32_t mark) { storage_.resize(mark); }
+
+  const Interior* begin(List list) const { return storage_.data() + list.begin; }
+  const Interior* end(List list) const { return begin(list) + list.size; }
+  double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
+
+  List make(const std::vector<Interior>& interiors);
+
+  /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
+  /// further out, as where solids overlap, is left without any bending.
+  Passage passage(List list, const Interior& it) const;
+  /// The list behind that surface.
+  List after(List list, const Interior& it);
+
+  /// ior of the other side by that of this side, as Fresnel's equation is given it: what lies behind a solid in the
+  /// list is the innermost one, or nothing if it is alone.
+  double fresnel_eta(List list, const Interior& it) const;
+
+private:
+  std::uint32_t find(List list, std::uint64_t id) const; // list.size where it is not
+
+  std::vector<Interior> storage_;
+};
+
+} // namespace rt

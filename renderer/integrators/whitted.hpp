@@ -1,0 +1,236 @@
+#pragma once
+
+#include "renderer/integrators/interiors.hpp"
+#include "renderer/integrators/optics.hpp"
+#include "renderer/integrators/recorder.hpp"
+#include "renderer/traceable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rt {
+
+inline constexpr double unlimited = std::numeric_limits<double>::max();
+
+/// How far from its origin a ray may find something. Ours: anywhere, because origins are moved off their surface by the
+/// bound of their own rounding.
+struct OwnTolerances {
+  static constexpr bool moves_origins = true;
+  static constexpr double nearest = 0; ///< least distance of a camera, mirrored or refracted ray's hit
+  /// The part of a shadow ray, from the surface to the lamp, in which something blocks it. It ends a rounding before
+  /// the lamp, so that a lamp lying in a surface shines.
+  static double shadow_begin() { return 0; }
+  static double shadow_end(double distance) { return std::min(distance * (1 - 0x1p-40), unlimited); }
+};
+
+/// POV-Ray's, for explaining where its pictures differ from ours: in lengths of the scene.
+struct PovrayTolerances {
+  static constexpr bool moves_origins = false;
+  static constexpr double nearest = 1e-4;
+  static double shadow_begin() { return 1e-3; }
+  static double shadow_end(double distance) { return std::min(distance - 1e-3, unlimited); }
+};
+
+/// Whitted's recursive ray tracing (An Improved Illumination Model for Shaded Display, 1980), in the form that the
+/// language's reference gives under "Shading". One object traces one ray at a time; each thread has its own.
+template <class Tolerances = OwnTolerances, class Recorder = NoRecorder>
+class Whitted {
+public:
+  /// Both must outlive the integrator.
+  Whitted(const Traceable& scene, Recorder& recorder) : scene_(scene), recorder_(recorder) {}
+
+  /// The light that comes in along `ray` (unit direction), which starts with the transparent solids `inside`.
+  Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
+    interiors_.release(0);
+    return trace(RayKind::camera, ray, 0, white, interiors_.make(inside));
+  }
+
+  const RayCounts& counts() const { return counts_; }
+
+private:
+  using List = InteriorLists::List;
+
+  // One ray has met one surface.
+  struct Meeting {
+    Surface surface;
+    const MaterialValues* values;
+    Vec3 direction; // of the ray
+    Vec3 normal;    // to the viewer
+    double cosine;  // between the two, positive
+    List inside;    // where the ray is
+    int depth;
+    Color weight; // of the ray, for the recorder
+  };
+
+  // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
+  static constexpr int max_crossings = 1 << 20;
+
+  Color trace(RayKind kind, Ray ray, int depth, const Color& weight, List inside) {
+    recorder_.begin_ray(kind, ray, depth, weight);
+    const std::uint32_t mark = interiors_.mark();
+    const Color result = depth > scene_.max_depth() ? too_deep() : follow(ray, depth, weight, inside);
+    interiors_.release(mark);
+    recorder_.end_ray(result);
+    return result;
+  }
+
+  Color too_deep() {
+    recorder_.too_deep();
+    return black;
+  }
+
+  Color follow(Ray ray, int depth, const Color& ray_weight, List inside) {
+    Color sum = black,
+          passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
+    for (int crossings = 0; crossings < max_crossings; ++crossings) {
+      RayHit hit;
+      if (!scene_.nearest(ray, Tolerances::nearest, hit, scratch_)) {
+        recorder_.miss(scene_.background());
+        return sum + passed * scene_.background();
+      }
+      Meeting m;
+      m.surface = scene_.surface(ray, hit);
+      MaterialValues scratch;
+      m.values = &scene_.values(m.surface, scratch);
+      m.direction = ray.direction;
+      const double side = dot(m.surface.shading_normal, ray.direction);
+      m.normal = side > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
+      m.cosine = std::abs(side);
+      m.inside = inside;
+      m.depth = depth;
+      m.weight = ray_weight * passed;
+      recorder_.surface(hit, m.surface, *m.values, m.normal);
+
+      sum += passed * shade(m);
+      if (!continue_ray(m, sum, passed, ray, inside)) return sum;
+    }
+    return sum;
+  }
+
+  // Its own light, and what the lamps give.
+  Color shade(const Meeting& m) {
+    const MaterialValues& v = *m.values;
+    const Color body = v.color * (1 - v.refract);
+    const Color ambient = body * v.ambient * scene_.ambient(), emission = body * v.emission;
+    recorder_.own_light(ambient, emission);
+    Color sum = ambient + emission;
+    const std::vector<Lamp>& lamps = scene_.lamps();
+    for (std::uint32_t i = 0; i < lamps.size(); ++i) sum += light(m, body, i);
+    return sum;
+  }
+
+  Color light(const Meeting& m, const Color& body, std::uint32_t index) {
+    const Lamp& lamp = scene_.lamps()[index];
+    const MaterialValues& v = *m.values;
+    LightRecord record;
+    record.lamp = index;
+    record.incidence = incidence(lamp, m.surface.point);
+    const Vec3& l = record.incidence.to_light;
+    record.cos_light = dot(m.normal, l);
+    if (!(record.cos_light > 0) || record.incidence.color == black) {
+      recorder_.light(record, m.surface);
+      return black;
+    }
+    if (lamp.shadows) {
+      record.filter = shadow(m.surface, record.incidence);
+      if (record.filter == black) {
+        recorder_.light(record, m.surface);
+        return black;
+      }
+    }
+    const Color arriving = record.incidence.color * record.filter;
+    record.diffuse = arriving * body * v.diffuse * record.cos_light;
+    if (lamp.shadows && v.specular > 0) {
+      record.cos_highlight = v.highlight == scene::Highlight::blinn ? dot(m.normal, normalize(l - m.direction))
+                                                                    : dot(reflect(m.direction, m.normal), l);
+      if (record.cos_highlight > 0) {
+        record.tint = metallic_tint(v.metallic, record.cos_light, v.color);
+        record.highlight = arriving * record.tint * (v.specular * std::pow(record.cos_highlight, v.shininess));
+      }
+    }
+    recorder_.light(record, m.surface);
+    return record.diffuse + record.highlight;
+  }
+
+  Color shadow(const Surface& surface, const Incidence& incidence) {
+    ++counts_.shadow;
+    const Ray ray = leaving(surface, incidence.to_light);
+    return scene_.transmittance(ray, Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance), scratch_);
+  }
+
+  // Adds the mirrored ray, and the refracted one if it is bent. True if the ray goes on unbent: then `ray`, `inside`
+  // and `passed` are those behind the surface.
+  bool continue_ray(const Meeting& m, Color& sum, Color& passed, Ray& ray, List& inside) {
+    const MaterialValues& v = *m.values;
+    const bool is_transparent = v.refract > 0;
+    const Interior interior{m.surface.interior, m.surface.ior};
+    Passage passage;
+    double cos2_behind = 1;
+    bool is_bent = false;
+    if (is_transparent) {
+      passage = interiors_.passage(m.inside, interior);
+      is_bent = std::abs(passage.eta() - 1) >= 1e-10;
+      if (is_bent) cos2_behind = cos2_refracted(m.cosine, passage.eta());
+      if (cos2_behind < 0) {
+        // Total internal reflection takes the place of both branches.
+        sum += passed * branch(RayKind::total_reflection, m, reflect(m.direction, m.normal), white, m.inside);
+        return false;
+      }
+    }
+    Color rho = v.reflect;
+    if (rho != black) rho = mirror_weight(m, interior);
+    if (rho != black) {
+      ++counts_.reflected;
+      sum += passed * rho * branch(RayKind::reflected, m, reflect(m.direction, m.normal), rho, m.inside);
+    }
+    if (!is_transparent) return false;
+
+    Color tau = v.color * v.refract;
+    if (v.fresnel) tau *= {std::min(1.0, 1 - rho.r), std::min(1.0, 1 - rho.g), std::min(1.0, 1 - rho.b)};
+    const double cos_behind = std::sqrt(cos2_behind);
+    recorder_.refraction(tau, passage, m.cosine, is_bent ? cos_behind : m.cosine);
+    ++counts_.refracted;
+    const List behind = interiors_.after(m.inside, interior);
+    if (is_bent) {
+      const Vec3 direction = refract(m.direction, m.normal, passage.eta(), m.cosine, cos_behind);
+      sum += passed * tau * branch(RayKind::refracted, m, direction, tau, behind);
+      return false;
+    }
+    passed *= tau;
+    ray = leaving(m.surface, m.direction);
+    inside = behind;
+    return true;
+  }
+
+  Color mirror_weight(const Meeting& m, const Interior& interior) {
+    const MaterialValues& v = *m.values;
+    double eta = 1, share = 1;
+    if (v.fresnel) {
+      eta = interiors_.fresnel_eta(m.inside, interior);
+      share = fresnel_reflectance(m.cosine, eta);
+    }
+    const Color rho = v.reflect * metallic_tint(v.metallic, m.cosine, v.color) * share;
+    recorder_.reflection(rho, share, m.cosine, eta);
+    return rho;
+  }
+
+  Color branch(RayKind kind, const Meeting& m, const Vec3& direction, const Color& weight, List inside) {
+    return trace(kind, leaving(m.surface, direction), m.depth + 1, m.weight * weight, inside);
+  }
+
+  // A ray that starts at a surface, on the side it goes to.
+  static Ray leaving(const Surface& surface, const Vec3& direction) {
+    if constexpr (!Tolerances::moves_origins) return {surface.point, direction};
+    const double side = dot(surface.geometric_normal, direction) < 0 ? -surface.offset : surface.offset;
+    return {surface.point + surface.geometric_normal * side, direction};
+  }
+
+  const Traceable& scene_;
+  Recorder& recorder_;
+  InteriorLists interiors_;
+  TraceScratch scratch_;
+  RayCounts counts_;
+};
+
+} // namespace rt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <vector>
+
+namespace rt {
+
+/// A light of the description carried to the scene's space, ready for shading.
+struct Lamp {
+  enum class Kind : std::uint8_t { point, sun, spot };
+  Kind kind = Kind::point;
+  bool shadows = true; ///< false: nothing blocks it, and it gives diffuse light only
+  Color color;         ///< colour times intensity
+  Vec3 at;             ///< of a point or spot
+  Vec3 direction;      ///< unit; the way a sun's light travels, or the axis of a spot
+  double cos_full = 1; ///< of the half angle of a spot's cone of full light
+  double cos_none = 1; ///< of the half angle beyond which there is none
+  scene::Fade fade;
+};
+
+/// A lamp as one point of the scene sees it.
+struct Incidence {
+  Vec3 to_light;   ///< unit
+  double distance; ///< to the lamp; infinite for a sun
+  double fade;     ///< the weakening with distance
+  double spot;     ///< 0 outside a spot's cone, 1 in its full light and for all other lamps
+  Color color;     ///< of the light that arrives if nothing is in the way: color · fade · spot
+};
+
+Lamp make_lamp(const scene::Light& light);
+
+/// At `p`, which must not be where a point light or spot stands (then `distance` is 0 and the rest meaningless).
+Incidence incidence(const Lamp& lamp, const Vec3& p);
+
+} // namespace rt

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "renderer/math/affine.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <vector>
+
+namespace rt {
+
+/// What a material is at one point: its patterns evaluated.
+struct MaterialValues {
+  Color color = white;
+  Color ambient = grey(1), diffuse = grey(0.8), emission = grey(0);
+  Color reflect = black;
+  double specular = 0;
+  double shininess = 32;
+  double metallic = 0;
+  double refract = 0;
+  double ior = 1;
+  scene::Highlight highlight = scene::Highlight::blinn;
+  bool fresnel = false;
+};
+
+/// The materials and patterns of a scene, ready to be evaluated.
+class Materials {
+public:
+  Materials() = default;
+  explicit Materials(const scene::Scene& scene);
+
+  /// The index of the default material, a white matte: one past the scene's own.
+  std::uint32_t default_material() const { return static_cast<std::uint32_t>(entries_.size() - 1); }
+
+  bool has_patterns(std::uint32_t material) const { return entries_[material].has_patterns; }
+
+  /// The values of a material without patterns; those of one with them are only right in what cannot be a pattern.
+  const MaterialValues& constant(std::uint32_t material) const { return entries_[material].values; }
+
+  /// The values at `p`, given in the space that the material's patterns live in.
+  MaterialValues at(std::uint32_t material, const Vec3& p) const;
+
+private:
+  struct Entry {
+    MaterialValues values;
+    scene::Paint color, ambient, diffuse, emission;
+    bool has_patterns = false;
+  };
+  struct Pattern {
+    Affine to_pattern; // from the space it lives in
+    scene::Paint a, b;
+  };
+  Color evaluate(const scene::Paint& paint, const Vec3& p) const;
+
+  std::vector<Entry> entries_;
+  std::vector<Pattern> patterns_;
+};
+
+} // namespace rt

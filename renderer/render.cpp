@@ -1,0 +1,239 @@
+#include "renderer/render.hpp"
+
+#include "renderer/camera.hpp"
+#include "renderer/integrators/whitted.hpp"
+#include "renderer/traceable.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace rt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr int tile_side = 16;
+constexpr std::chrono::milliseconds progress_interval{100};
+
+Film make_film(const PixelRect& rect, bool layers) {
+  Film film;
+  film.width = rect.width();
+  film.height = rect.height();
+  const std::size_t pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  film.color.resize(pixels);
+  if (layers) {
+    film.depth.assign(pixels, std::numeric_limits<double>::infinity());
+    film.normal.resize(pixels);
+    film.position.resize(pixels);
+    film.object_id.resize(pixels);
+    film.albedo.resize(pixels);
+  }
+  return film;
+}
+
+Rgb32 to_single(const Color& c) {
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+Xyz32 to_single(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Everything the workers share. Each pixel is written by one of them, so the film needs no lock.
+class Job {
+public:
+  Job(const scene::Scene& scene, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect,
+      Film& film)
+      : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(scene.camera, scene.size),
+        side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))),
+        columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
+
+  /// What one thread does: takes tiles until none are left or it is told to stop.
+  void work() noexcept {
+    try {
+      Worker worker(*this);
+      worker.run();
+      const std::lock_guard lock(mutex_);
+      add(worker.counts());
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      failed_ = true;
+    }
+    const std::lock_guard lock(mutex_);
+    ++finished_workers_;
+    wake_.notify_all();
+  }
+
+  /// Reports progress until `workers` threads have ended.
+  void watch(int workers, Clock::time_point start) {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, progress_interval, [&] { return finished_workers_ == workers; })) report(lock, start);
+    if (options_.on_progress) report(lock, start);
+  }
+
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+  bool is_complete() const { return finished_tiles_ == columns_ * rows_; }
+  const RayCounts& counts() const { return counts_; }
+
+private:
+  class Worker {
+  public:
+    explicit Worker(Job& job) : job_(job), whitted_(job.traceable_, recorder_) {}
+
+    void run() {
+      while (!job_.is_stopped()) {
+        const int tile = job_.next_tile_++;
+        if (tile >= job_.columns_ * job_.rows_) return;
+        if (!trace_tile(job_.tile_rect(tile))) return;
+        ++job_.finished_tiles_;
+        const std::uint64_t rays = total(counts());
+        job_.rays_ += rays - reported_;
+        reported_ = rays;
+      }
+    }
+
+    RayCounts counts() const {
+      RayCounts all = whitted_.counts();
+      all.camera = camera_rays_;
+      return all;
+    }
+
+  private:
+    bool trace_tile(const PixelRect& tile) {
+      for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+          if (job_.is_stopped()) return false;
+          trace_pixel(x, y);
+        }
+      }
+      return true;
+    }
+
+    void trace_pixel(int x, int y) {
+      const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);
+      const int n = job_.side_;
+      Color sum = black;
+      for (int sample = 0; sample < n * n; ++sample) sum += radiance(job_.camera_.ray(x, y, sample, n));
+      job_.film_.color[index] = to_single(sum * (1.0 / (n * n)));
+      if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
+    }
+
+    Color radiance(const Ray& ray) {
+      ++camera_rays_;
+      return whitted_.radiance(ray, inside_);
+    }
+
+    void trace_layers(const Ray& ray, std::size_t index) {
+      RayHit hit;
+      if (!job_.traceable_.nearest(ray, 0, hit, scratch_)) return;
+      const Surface surface = job_.traceable_.surface(ray, hit);
+      MaterialValues values;
+      const Vec3 n = surface.shading_normal;
+      job_.film_.depth[index] = hit.t;
+      job_.film_.normal[index] = to_single(dot(n, ray.direction) > 0 ? -n : n);
+      job_.film_.position[index] = to_single(surface.point);
+      job_.film_.object_id[index] = static_cast<std::uint32_t>(surface.order + 1);
+      job_.film_.albedo[index] = to_single(job_.traceable_.values(surface, values).color);
+    }
+
+    static std::uint64_t total(const RayCounts& c) { return c.camera + c.shadow + c.reflected + c.refracted; }
+
+    Job& job_;
+    NoRecorder recorder_;
+    Whitted<> whitted_;
+    TraceScratch scratch_;
+    std::vector<Interior> inside_;
+    std::uint64_t camera_rays_ = 0;
+    std::uint64_t reported_ = 0;
+  };
+
+  bool is_stopped() const {
+    return failed_.load(std::memory_order_relaxed) || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+  }
+
+  PixelRect tile_rect(int tile) const {
+    const int x = rect_.x0 + tile % columns_ * tile_side, y = rect_.y0 + tile / columns_ * tile_side;
+    return {x, y, std::min(x + tile_side, rect_.x1), std::min(y + tile_side, rect_.y1)};
+  }
+
+  void add(const RayCounts& c) {
+    counts_.camera += c.camera;
+    counts_.shadow += c.shadow;
+    counts_.reflected += c.reflected;
+    counts_.refracted += c.refracted;
+  }
+
+  void report(std::unique_lock<std::mutex>& lock, Clock::time_point start) {
+    if (!options_.on_progress) return;
+    lock.unlock();
+    const double fraction = static_cast<double>(finished_tiles_) / (columns_ * rows_);
+    options_.on_progress({fraction, rays_, seconds_since(start)});
+    lock.lock();
+  }
+
+  const Traceable& traceable_;
+  const RenderOptions& options_;
+  PixelRect rect_;
+  Film& film_;
+  CameraRays camera_;
+  int side_; // of the grid of samples in a pixel
+  int columns_, rows_;
+  std::atomic<int> next_tile_ = 0, finished_tiles_ = 0;
+  std::atomic<std::uint64_t> rays_ = 0;
+  std::atomic<bool> failed_ = false;
+
+  std::mutex mutex_; // guards what follows
+  std::condition_variable wake_;
+  int finished_workers_ = 0;
+  RayCounts counts_;
+  std::exception_ptr error_;
+};
+
+int thread_count(int wanted) {
+  if (wanted > 0) return wanted;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+Rendered render(const scene::Scene& scene, const RenderOptions& options) {
+  Rendered result;
+  RenderStatistics& statistics = result.statistics;
+  statistics.threads = thread_count(options.threads);
+
+  const Clock::time_point build_start = Clock::now();
+  const Traceable traceable(scene, statistics.threads);
+  statistics.primitives = traceable.primitive_count();
+  statistics.build_seconds = seconds_since(build_start);
+
+  const Clock::time_point trace_start = Clock::now();
+  const PixelRect rect = options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]});
+  result.film = make_film(rect, options.layers);
+  Job job(scene, traceable, options, rect, result.film);
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < statistics.threads; ++i) threads.emplace_back([&job] { job.work(); });
+    job.watch(statistics.threads, trace_start);
+  }
+  job.rethrow();
+  statistics.trace_seconds = seconds_since(trace_start);
+  statistics.camera_rays = job.counts().camera;
+  statistics.shadow_rays = job.counts().shadow;
+  statistics.reflected_rays = job.counts().reflected;
+  statistics.refracted_rays = job.counts().refracted;
+  result.is_complete = job.is_complete();
+  return result;
+}
+
+} // namespace rt

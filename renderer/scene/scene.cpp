@@ -6,9 +6,12 @@
 namespace rt::scene {
 namespace {
 
-template <class S> constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
+template <class S>
+constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
 
-bool refers_to_composite(ShapeRef ref) { return ref.kind == kind_of<Group> || ref.kind == kind_of<Combination>; }
+bool refers_to_composite(ShapeRef ref) {
+  return ref.kind == kind_of<Group> || ref.kind == kind_of<Combination>;
+}
 
 const std::vector<Object>& parts(const Scene& scene, ShapeRef composite) {
   if (composite.kind == kind_of<Group>) return scene.shapes.get<Group>(composite).members;
@@ -16,7 +19,8 @@ const std::vector<Object>& parts(const Scene& scene, ShapeRef composite) {
 }
 
 /// A value of type T for each group and combination that is asked about: few, where one object of many is.
-template <class T> class PerComposite {
+template <class T>
+class PerComposite {
 public:
   T& operator[](ShapeRef ref) { return values_[key(ref)]; }
   const T& at(ShapeRef ref) const { return values_.at(key(ref)); }
@@ -59,9 +63,13 @@ struct Extents {
   void extend(const Extents& e) { whole.extend(e.whole), finite.extend(e.finite); }
 };
 
-Extents extents_of(const Box3& box) { return {box, box.is_finite() ? box : Box3{}}; }
+Extents extents_of(const Box3& box) {
+  return {box, box.is_finite() ? box : Box3{}};
+}
 
-Extents mapped(const Affine& map, const Extents& e) { return {transform_box(map, e.whole), transform_box(map, e.finite)}; }
+Extents mapped(const Affine& map, const Extents& e) {
+  return {transform_box(map, e.whole), transform_box(map, e.finite)};
+}
 
 Box3 overlap(const Box3& a, const Box3& b) {
   const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};
@@ -75,8 +83,10 @@ Extents extents(const Scene& scene, const Object& object, const CompositeExtents
   const Affine map = to_parent(scene, object);
   if (refers_to_composite(object.shape)) return mapped(map, known.at(object.shape));
   return scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
-    if constexpr (is_composite<S>) return Extents{};
-    else return extents_of(bounds(geometry(shape), map));
+    if constexpr (is_composite<S>)
+      return Extents{};
+    else
+      return extents_of(bounds(geometry(shape), map));
   });
 }
 
@@ -107,9 +117,8 @@ Extents combination_extents(const Scene& scene, const Combination& combination, 
 CompositeExtents composite_extents(const Scene& scene, std::span<const Object> roots) {
   CompositeExtents known;
   for (const ShapeRef ref : innermost_first(scene, roots)) {
-    known[ref] = ref.kind == kind_of<Group>
-                     ? group_extents(scene, scene.shapes.get<Group>(ref).members, known)
-                     : combination_extents(scene, scene.shapes.get<Combination>(ref), known);
+    known[ref] = ref.kind == kind_of<Group> ? group_extents(scene, scene.shapes.get<Group>(ref).members, known)
+                                            : combination_extents(scene, scene.shapes.get<Combination>(ref), known);
   }
   return known;
 }
@@ -146,9 +155,13 @@ Box3 bounds(const Scene& scene, const Object& object) {
   return extents(scene, object, composite_extents(scene, {&object, 1})).whole;
 }
 
-Box3 bounds(const Scene& scene) { return scene_extents(scene).whole; }
+Box3 bounds(const Scene& scene) {
+  return scene_extents(scene).whole;
+}
 
-Box3 finite_bounds(const Scene& scene) { return scene_extents(scene).finite; }
+Box3 finite_bounds(const Scene& scene) {
+  return scene_extents(scene).finite;
+}
 
 std::uint64_t count_primitives(const Scene& scene) {
   PerComposite<std::uint64_t> known;

@@ -1,12 +1,15 @@
 #include "renderer/shapes/box.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 #include <fmt/format.h>
 
 namespace rt::scene {
 
 std::span<const Field> fields(const Box*) {
   static constexpr Field table[] = {
-      field<&Box::size>("size", {"1", "edge lengths along x, y and z, or one for all; the middle is at `at`", positive, 1, FieldType::size}),
+      field<&Box::size>("size", {"1", "edge lengths along x, y and z, or one for all; the middle is at `at`", positive,
+                                 1, FieldType::size}),
       field<&Box::from>("from", {"", "one corner", any_value, 2}),
       field<&Box::to>("to", {"", "the opposite corner", any_value, 2}),
   };
@@ -19,7 +22,8 @@ std::optional<Problem> check(const Box& box) {
   if (!box.from) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if ((*box.from)[axis] == (*box.to)[axis])
-      return Problem{"to", fmt::format("`from` and `to` have the same {0}: the box has no size along {0}", "xyz"[axis])};
+      return Problem{"to",
+                     fmt::format("`from` and `to` have the same {0}: the box has no size along {0}", "xyz"[axis])};
   }
   return std::nullopt;
 }
@@ -41,6 +45,30 @@ std::optional<BoxGeometry> placed(const BoxGeometry& box, const Affine& map) {
   return BoxGeometry{min(a, b), max(a, b)};
 }
 
-Box3 bounds(const BoxGeometry& box, const Affine& map) { return transform_box(map, {box.lower, box.upper}); }
+Box3 bounds(const BoxGeometry& box, const Affine& map) {
+  return transform_box(map, {box.lower, box.upper});
+}
+
+SurfacePoint surface_point(const BoxGeometry& box, const Ray& ray, const Hit& hit) {
+  const std::size_t axis = hit.part / 2;
+  const bool is_upper = hit.part % 2 == 1;
+  Vec3 position = max(box.lower, min(box.upper, ray.at(hit.t)));
+  position[axis] = is_upper ? box.upper[axis] : box.lower[axis];
+  Vec3 normal;
+  normal[axis] = is_upper ? 1 : -1;
+  return {position, normal, rounding_bound(8) * (magnitude(box.lower) + magnitude(box.upper))};
+}
+
+Crossings crossings(const BoxGeometry& box, const Ray& ray) {
+  const BoxSpan span(box, ray);
+  Crossings found;
+  if (span.enter.t < span.leave.t) found.add(span.enter, span.leave);
+  return found;
+}
+
+bool contains(const BoxGeometry& box, const Vec3& point) {
+  return point.x > box.lower.x && point.x < box.upper.x && point.y > box.lower.y && point.y < box.upper.y &&
+         point.z > box.lower.z && point.z < box.upper.z;
+}
 
 } // namespace rt

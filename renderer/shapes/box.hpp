@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// A solid with faces perpendicular to the axes: `size` about the origin of the shape's own space, or between the opposite
-/// corners `from` and `to`.
+/// A solid with faces perpendicular to the axes: `size` about the origin of the shape's own space, or between the
+/// opposite corners `from` and `to`.
 struct Box {
   static constexpr std::string_view noun = "box";
   static constexpr std::string_view help = "a block with faces along the axes";
@@ -28,5 +28,40 @@ struct BoxGeometry {
 BoxGeometry geometry(const scene::Box& box);
 std::optional<BoxGeometry> placed(const BoxGeometry& box, const Affine& map);
 Box3 bounds(const BoxGeometry& box, const Affine& map = {});
+
+SurfacePoint surface_point(const BoxGeometry& box, const Ray& ray, const Hit& hit);
+Crossings crossings(const BoxGeometry& box, const Ray& ray);
+bool contains(const BoxGeometry& box, const Vec3& point);
+constexpr bool is_solid(const BoxGeometry&) {
+  return true;
+}
+
+/// Where a line enters and leaves a box, by Kay and Kajiya's slabs (Ray Tracing Complex Scenes, 1986). Part 2·axis is
+/// the lower face of an axis, 2·axis + 1 the upper one. A line that runs along a face or an edge counts as within.
+struct BoxSpan {
+  Hit enter{-std::numeric_limits<double>::infinity(), 0};
+  Hit leave{std::numeric_limits<double>::infinity(), 0};
+
+  BoxSpan(const BoxGeometry& box, const Ray& ray) {
+    clip(box.lower.x - ray.origin.x, box.upper.x - ray.origin.x, ray.direction.x, 0);
+    clip(box.lower.y - ray.origin.y, box.upper.y - ray.origin.y, ray.direction.y, 2);
+    clip(box.lower.z - ray.origin.z, box.upper.z - ray.origin.z, ray.direction.z, 4);
+  }
+
+private:
+  // A quotient 0/0, of a line within a face's plane, is no number and fails every comparison: it clips nothing.
+  void clip(double lower, double upper, double direction, std::uint32_t part) {
+    const bool backward = std::signbit(direction);
+    const double first = (backward ? upper : lower) / direction;
+    const double last = (backward ? lower : upper) / direction;
+    if (first > enter.t) enter = {first, part + (backward ? 1U : 0U)};
+    if (last < leave.t) leave = {last, part + (backward ? 0U : 1U)};
+  }
+};
+
+inline bool intersect(const BoxGeometry& box, const Ray& ray, const Interval& range, Hit& hit) {
+  const BoxSpan span(box, ray);
+  return span.enter.t <= span.leave.t && take_first(span.enter, span.leave, range, hit);
+}
 
 } // namespace rt

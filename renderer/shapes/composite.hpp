@@ -10,7 +10,8 @@ struct Group {
   std::vector<Object> members;
 };
 
-/// Solids combined into one. `unite` keeps the outer boundary only; `subtract` takes every further operand from the first.
+/// Solids combined into one. `unite` keeps the outer boundary only; `subtract` takes every further operand from the
+/// first.
 struct Combination {
   enum class Operation : std::uint8_t { unite, intersect, subtract };
   static constexpr std::string_view noun = "combination";

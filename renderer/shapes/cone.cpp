@@ -1,5 +1,6 @@
 #include "renderer/shapes/cone.hpp"
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/shapes/disc.hpp"
 
 namespace rt::scene {
@@ -36,14 +37,87 @@ ConeGeometry geometry(const scene::Cone& cone) {
 std::optional<ConeGeometry> placed(const ConeGeometry& cone, const Affine& map) {
   const auto scale = similarity_scale(map);
   if (!scale) return std::nullopt;
-  return ConeGeometry{map.point(cone.base),  normalize(map.vector(cone.axis)), cone.height * *scale, cone.radius * *scale,
-                      cone.top_radius * *scale, cone.slope, cone.is_open};
+  return ConeGeometry{map.point(cone.base), normalize(map.vector(cone.axis)), cone.height * *scale,
+                      cone.radius * *scale, cone.top_radius * *scale,         cone.slope,
+                      cone.is_open};
 }
 
 Box3 bounds(const ConeGeometry& cone, const Affine& map) {
   Box3 box = disc_bounds(map, cone.base, cone.axis, cone.radius);
   box.extend(disc_bounds(map, cone.base + cone.axis * cone.height, cone.axis, cone.top_radius));
   return box;
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Span until(double t) {
+  return {{-infinity, side_part}, {t, side_part}};
+}
+Span from(double t) {
+  return {{t, side_part}, {infinity, side_part}};
+}
+
+} // namespace
+
+Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
+  const Vec3 &m = ray.origin_arm, &n = ray.direction_arm;
+  const double radius = cone.radius + cone.slope * ray.height;
+  const double widening = cone.slope * ray.climb;
+  const double a = dot(n, n) - widening * widening;
+  const double b = dot(m, n) - radius * widening;
+  const double c = dot(m, m) - radius * radius;
+  const double aside = dot(ray.origin, n); // |m × n|, with a sign
+  const Vec3 w = n * radius - m * widening;
+  const double d = dot(w, w) - aside * aside;
+  if (a > 0 && c >= 0 && !(d >= 0)) return Span::empty();
+  if (a == 0 && b == 0) return c < 0 ? Span{} : Span::empty();
+  const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
+  // Steeper than the side: a chord within one nappe.
+  if (a > 0) {
+    const bool is_first_low = b >= 0;
+    return {{is_first_low ? roots.first : roots.second, side_part},
+            {is_first_low ? roots.second : roots.first, side_part}};
+  }
+  // Parallel to a line of the side: inside from the one crossing on, or up to it.
+  if (a == 0) return b > 0 ? until(roots.second) : from(roots.second);
+  // Flatter: inside both nappes, beyond either crossing. The nappe that widens along the ray is entered, the other
+  // left.
+  return widening > 0 ? from(std::max(roots.first, roots.second)) : until(std::min(roots.first, roots.second));
+}
+
+// The side's point is the nearest one of the straight line that turns about the axis to make the side: in the half
+// plane of distance from the axis and height, from (radius, 0) to (top_radius, height).
+SurfacePoint surface_point(const ConeGeometry& cone, const Ray& ray, const Hit& hit) {
+  const Vec3 from_base = ray.at(hit.t) - cone.base;
+  const double along = dot(from_base, cone.axis);
+  const double error = rounding_bound(32) * (magnitude(cone.base) + cone.height + cone.radius + cone.top_radius);
+  if (hit.part != side_part) {
+    const bool is_top = hit.part == top_part;
+    const Vec3 position = from_base + cone.axis * ((is_top ? cone.height : 0) - along);
+    return {cone.base + position, is_top ? cone.axis : -cone.axis, error};
+  }
+  const Vec3 outward = radial_direction(from_base, cone.axis);
+  const double run = cone.top_radius - cone.radius;
+  const double distance = dot(from_base, outward);
+  const double share = ((distance - cone.radius) * run + along * cone.height) / (run * run + cone.height * cone.height);
+  const double s = std::clamp(share, 0.0, 1.0);
+  const Vec3 position = cone.axis * (s * cone.height) + outward * (cone.radius + s * run);
+  return {cone.base + position, normalize(outward * cone.height - cone.axis * run), error};
+}
+
+Crossings crossings(const ConeGeometry& cone, const Ray& ray) {
+  const AxialRay axial = axial_ray(cone, ray);
+  return crossings_of(axial, inner_span(cone, axial));
+}
+
+bool contains(const ConeGeometry& cone, const Vec3& point) {
+  const Vec3 from_base = point - cone.base;
+  const double height = dot(from_base, cone.axis);
+  const Vec3 arm = cross(from_base, cone.axis);
+  const double radius = cone.radius + cone.slope * height;
+  return height > 0 && height < cone.height && dot(arm, arm) < radius * radius;
 }
 
 } // namespace rt

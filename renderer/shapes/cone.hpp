@@ -1,12 +1,13 @@
 #pragma once
 
+#include "renderer/math/quadratic.hpp"
 #include "renderer/scene/field.hpp"
-#include "renderer/shapes/hit.hpp"
+#include "renderer/shapes/revolution.hpp"
 
 namespace rt::scene {
 
-/// The surface swept by a circle whose radius goes from `radius` at `from` to `top_radius` at `to` (0: a point), closed by
-/// a disc at each end whose radius is not 0; `open` leaves the discs out.
+/// The surface swept by a circle whose radius goes from `radius` at `from` to `top_radius` at `to` (0: a point), closed
+/// by a disc at each end whose radius is not 0; `open` leaves the discs out.
 struct Cone {
   static constexpr std::string_view noun = "cone";
   static constexpr std::string_view help = "a round bar whose radius changes from end to end";
@@ -38,5 +39,34 @@ struct ConeGeometry {
 ConeGeometry geometry(const scene::Cone& cone);
 std::optional<ConeGeometry> placed(const ConeGeometry& cone, const Affine& map);
 Box3 bounds(const ConeGeometry& cone, const Affine& map = {});
+
+SurfacePoint surface_point(const ConeGeometry& cone, const Ray& ray, const Hit& hit);
+Crossings crossings(const ConeGeometry& cone, const Ray& ray);
+bool contains(const ConeGeometry& cone, const Vec3& point);
+constexpr bool is_solid(const ConeGeometry& cone) {
+  return !cone.is_open;
+}
+
+/// The stretch of a line within the cone's side, as if that went on without end, on the nappe that the ends cut from
+/// the double cone; between the planes of the ends nothing of the other nappe counts.
+///
+/// With the arms m and n of the ray's origin and direction (their parts across the axis, turned by 90°) and the radius
+/// ρ + t·ρ' at the ray's height, (m + t·n)² − (ρ + t·ρ')² = a·t² + 2·b·t + c. Its discriminant b² − a·c is
+/// |ρ·n − ρ'·m|² − |m × n|², which does not cancel for far or large shapes as b² − a·c does.
+Span side_span(const ConeGeometry& cone, const AxialRay& ray);
+
+inline AxialRay axial_ray(const ConeGeometry& cone, const Ray& ray) {
+  return {ray, cone.base, cone.axis, cone.height / 2, cone.height + std::max(cone.radius, cone.top_radius)};
+}
+
+inline Span inner_span(const ConeGeometry& cone, const AxialRay& ray) {
+  const Span side = side_span(cone, ray);
+  return side.is_empty() ? side : overlap(side, ray.between(cone.height));
+}
+
+inline bool intersect(const ConeGeometry& cone, const Ray& ray, const Interval& range, Hit& hit) {
+  const AxialRay axial = axial_ray(cone, ray);
+  return take_first(axial, inner_span(cone, axial), cone.is_open, range, hit);
+}
 
 } // namespace rt

@@ -1,5 +1,6 @@
 #include "renderer/shapes/cylinder.hpp"
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/shapes/disc.hpp"
 
 namespace rt::scene {
@@ -18,8 +19,10 @@ std::span<const Field> fields(const Cylinder*) {
 }
 
 std::optional<Problem> check(const Cylinder& cylinder) {
-  if (cylinder.from && !cylinder.to) return Problem{"from", "a cylinder with `from` needs `to`, the centre of its other end"};
-  if (cylinder.to && !cylinder.from) return Problem{"to", "a cylinder with `to` needs `from`, the centre of its other end"};
+  if (cylinder.from && !cylinder.to)
+    return Problem{"from", "a cylinder with `from` needs `to`, the centre of its other end"};
+  if (cylinder.to && !cylinder.from)
+    return Problem{"to", "a cylinder with `to` needs `from`, the centre of its other end"};
   if (cylinder.from && *cylinder.from == *cylinder.to)
     return Problem{"to", "`from` and `to` are the same point: the cylinder has no length"};
   return std::nullopt;
@@ -60,6 +63,35 @@ Box3 bounds(const CylinderGeometry& cylinder, const Affine& map) {
     if (along[axis] != 0) box.lower[axis] = everywhere.lower[axis], box.upper[axis] = everywhere.upper[axis];
   }
   return box;
+}
+
+SurfacePoint surface_point(const CylinderGeometry& cylinder, const Ray& ray, const Hit& hit) {
+  const Vec3 from_base = ray.at(hit.t) - cylinder.base;
+  const double along = dot(from_base, cylinder.axis);
+  const bool is_infinite = cylinder.extent == CylinderGeometry::Extent::infinite;
+  const double size = cylinder.radius + (is_infinite ? std::abs(along) : cylinder.height);
+  const double error = rounding_bound(32) * (magnitude(cylinder.base) + size);
+  if (hit.part == side_part) {
+    const Vec3 normal = radial_direction(from_base, cylinder.axis);
+    const double height = is_infinite ? along : std::clamp(along, 0.0, cylinder.height);
+    return {cylinder.base + cylinder.axis * height + normal * cylinder.radius, normal, error};
+  }
+  const bool is_top = hit.part == top_part;
+  const Vec3 position = from_base + cylinder.axis * ((is_top ? cylinder.height : 0) - along);
+  return {cylinder.base + position, is_top ? cylinder.axis : -cylinder.axis, error};
+}
+
+Crossings crossings(const CylinderGeometry& cylinder, const Ray& ray) {
+  const AxialRay axial = axial_ray(cylinder, ray);
+  return crossings_of(axial, inner_span(cylinder, axial));
+}
+
+bool contains(const CylinderGeometry& cylinder, const Vec3& point) {
+  const Vec3 from_base = point - cylinder.base;
+  const double height = dot(from_base, cylinder.axis);
+  const Vec3 arm = cross(from_base, cylinder.axis);
+  if (dot(arm, arm) >= cylinder.radius * cylinder.radius) return false;
+  return cylinder.extent == CylinderGeometry::Extent::infinite || (height > 0 && height < cylinder.height);
 }
 
 } // namespace rt

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "renderer/math/quadratic.hpp"
 #include "renderer/scene/field.hpp"
-#include "renderer/shapes/hit.hpp"
+#include "renderer/shapes/revolution.hpp"
 
 namespace rt::scene {
 
@@ -38,5 +39,44 @@ struct CylinderGeometry {
 CylinderGeometry geometry(const scene::Cylinder& cylinder);
 std::optional<CylinderGeometry> placed(const CylinderGeometry& cylinder, const Affine& map);
 Box3 bounds(const CylinderGeometry& cylinder, const Affine& map = {});
+
+SurfacePoint surface_point(const CylinderGeometry& cylinder, const Ray& ray, const Hit& hit);
+Crossings crossings(const CylinderGeometry& cylinder, const Ray& ray);
+bool contains(const CylinderGeometry& cylinder, const Vec3& point);
+constexpr bool is_solid(const CylinderGeometry& cylinder) {
+  return cylinder.extent != CylinderGeometry::Extent::open;
+}
+
+/// The stretch of a line within the cylinder's side, as if that had no ends: in the plane across the axis, a circle's
+/// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius; its discriminant comes from
+/// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, and so does not cancel.
+inline Span side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
+  const double a = dot(ray.direction_arm, ray.direction_arm);
+  const double aside = dot(ray.origin, ray.direction_arm);
+  const double d = cylinder.radius * cylinder.radius * a - aside * aside;
+  const double c = dot(ray.origin_arm, ray.origin_arm) - cylinder.radius * cylinder.radius;
+  if (c >= 0 && !(d >= 0 && a > 0)) return Span::empty();
+  if (a == 0) return {}; // along the axis, inside
+  const double b = dot(ray.origin_arm, ray.direction_arm);
+  const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
+  const double low = b >= 0 ? roots.first : roots.second, high = b >= 0 ? roots.second : roots.first;
+  return {{low, side_part}, {high, side_part}};
+}
+
+/// The stretch within the solid that the cylinder is, or would be if it were closed.
+inline Span inner_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
+  const Span side = side_span(cylinder, ray);
+  if (cylinder.extent == CylinderGeometry::Extent::infinite || side.is_empty()) return side;
+  return overlap(side, ray.between(cylinder.height));
+}
+
+inline AxialRay axial_ray(const CylinderGeometry& cylinder, const Ray& ray) {
+  return {ray, cylinder.base, cylinder.axis, cylinder.height / 2, cylinder.height + cylinder.radius};
+}
+
+inline bool intersect(const CylinderGeometry& cylinder, const Ray& ray, const Interval& range, Hit& hit) {
+  const AxialRay axial = axial_ray(cylinder, ray);
+  return take_first(axial, inner_span(cylinder, axial), !is_solid(cylinder), range, hit);
+}
 
 } // namespace rt

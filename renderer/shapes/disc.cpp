@@ -1,5 +1,7 @@
 #include "renderer/shapes/disc.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 namespace rt::scene {
 
 std::span<const Field> fields(const Disc*) {
@@ -20,7 +22,9 @@ std::optional<Problem> check(const Disc& disc) {
 
 namespace rt {
 
-DiscGeometry geometry(const scene::Disc& disc) { return {{}, normalize(disc.normal), disc.radius, disc.hole}; }
+DiscGeometry geometry(const scene::Disc& disc) {
+  return {{}, normalize(disc.normal), disc.radius, disc.hole};
+}
 
 std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map) {
   const auto scale = similarity_scale(map);
@@ -29,8 +33,8 @@ std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map) 
                       disc.hole * *scale};
 }
 
-// With u, v spanning the disc's plane, the image reaches radius·√((row·u)² + (row·v)²) along each axis: the length of the
-// row's part perpendicular to the normal.
+// With u, v spanning the disc's plane, the image reaches radius·√((row·u)² + (row·v)²) along each axis: the length of
+// the row's part perpendicular to the normal.
 Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, double radius) {
   const Vec3 middle = map.point(center);
   Vec3 reach;
@@ -40,6 +44,11 @@ Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, doub
 
 Box3 bounds(const DiscGeometry& disc, const Affine& map) {
   return disc_bounds(map, disc.center, disc.normal, disc.radius);
+}
+
+SurfacePoint surface_point(const DiscGeometry& disc, const Ray& ray, const Hit& hit) {
+  const Vec3 from_center = reject(ray.at(hit.t) - disc.center, disc.normal);
+  return {disc.center + from_center, disc.normal, rounding_bound(16) * (magnitude(disc.center) + disc.radius)};
 }
 
 } // namespace rt

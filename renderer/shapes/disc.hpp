@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// The points of the plane through the origin of the shape's own space, perpendicular to `normal`, at a distance between
-/// `hole` and `radius` from the origin, both included.
+/// The points of the plane through the origin of the shape's own space, perpendicular to `normal`, at a distance
+/// between `hole` and `radius` from the origin, both included.
 struct Disc {
   static constexpr std::string_view noun = "disc";
   static constexpr std::string_view help = "a flat round face, with or without a hole";
@@ -32,6 +32,24 @@ struct DiscGeometry {
 DiscGeometry geometry(const scene::Disc& disc);
 std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map);
 Box3 bounds(const DiscGeometry& disc, const Affine& map = {});
+
+SurfacePoint surface_point(const DiscGeometry& disc, const Ray& ray, const Hit& hit);
+constexpr bool is_solid(const DiscGeometry&) {
+  return false;
+}
+
+inline bool intersect(const DiscGeometry& disc, const Ray& ray, const Interval& range, Hit& hit) {
+  const double approach = dot(disc.normal, ray.direction);
+  if (approach == 0) return false;
+  const Vec3 from_center = ray.origin - disc.center;
+  const double t = -dot(disc.normal, from_center) / approach;
+  if (!range.contains(t)) return false;
+  const Vec3 p = from_center + ray.direction * t;
+  const double distance_squared = dot(p, p);
+  if (!(distance_squared <= disc.radius * disc.radius && distance_squared >= disc.hole * disc.hole)) return false;
+  hit = {t, 0};
+  return true;
+}
 
 /// The box around the image of a circle's disc; `normal` is a unit vector.
 Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, double radius);

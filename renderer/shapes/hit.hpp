@@ -22,9 +22,9 @@
 ///     Crossings crossings(const G&, const Ray&);             // of the whole line
 ///     bool contains(const G&, const Vec3&);
 ///
-/// A crossing's t depends on the ray and the shape alone, never on the interval: raising `lower` to the last t leads on to
-/// the next crossing. A ray that only touches a curved surface meets it once; one that runs within a flat face or along
-/// a straight line of a curved one does not meet it.
+/// A crossing's t depends on the ray and the shape alone, never on the interval: raising `lower` to the last t leads on
+/// to the next crossing; `lower` is never negative. A ray that only touches a curved surface meets it; one that runs
+/// within a flat face or along a straight line of a curved one does not meet that surface. Directions are not zero.
 namespace rt {
 
 /// A crossing of a ray with a surface, at origin + t·direction. `part` says which of the shape's surfaces it is
@@ -34,14 +34,25 @@ struct Hit {
   std::uint32_t part = 0;
 };
 
+/// Stores the first of two crossings, in order, that lies in the interval.
+inline bool take_first(const Hit& first, const Hit& second, const Interval& range, Hit& hit) {
+  if (range.contains(first.t)) return hit = first, true;
+  if (range.contains(second.t)) return hit = second, true;
+  return false;
+}
+
 /// A point of a surface. It is refined: no farther than `error` from the surface, however far the ray came. A ray that
-/// starts at `position` + `error`·`normal` (or − `error`·`normal`) is on that side of the surface even after rounding, and
-/// does not meet it again where it starts.
+/// starts at `position` + `error`·`normal` (or − `error`·`normal`) is on that side of the surface even after rounding,
+/// and does not meet it again where it starts.
 struct SurfacePoint {
   Vec3 position;
   Vec3 normal; ///< unit, outward (away from the solid side); geometric, not turned to the viewer
   double error = 0;
 };
+
+/// The point in the scene's space of a shape that stands there by `to_scene`; `to_local` is the inverse. The error
+/// grows so that its promise holds for rays that are carried back to the shape's space to meet it.
+SurfacePoint mapped(const SurfacePoint& local, const Affine& to_scene, const Affine& to_local);
 
 /// Where a line enters and leaves a solid: at[0] enters, at[1] leaves, at[2] enters again, …; t ascends. t is infinite
 /// where the line is inside all the way. A line that only touches the solid does not enter it.

@@ -34,6 +34,12 @@ bool is_line(std::span<const Vec3> points) {
   return true;
 }
 
+double outline_extent(std::span<const Vec3> points) {
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& p : points) low = min(low, p), high = max(high, p);
+  return length(high - low);
+}
+
 Box3 outline_bounds(std::span<const Vec3> points, const Affine& map) {
   Box3 box;
   for (const Vec3& p : points) box.extend(map.point(p));
@@ -44,7 +50,6 @@ Box3 outline_bounds(std::span<const Vec3> points, const Affine& map) {
 
 namespace rt::scene {
 namespace {
-
 
 struct Point2 {
   double x = 0, y = 0;
@@ -58,12 +63,6 @@ double area(const Point2& a, const Point2& b, const Point2& c) {
 /// Whether the open segments ab and cd cross; touching is not crossing.
 bool cross_each_other(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return area(a, b, c) * area(a, b, d) < 0 && area(c, d, a) * area(c, d, b) < 0;
-}
-
-double extent(std::span<const Vec3> points) {
-  Vec3 low = points[0], high = points[0];
-  for (const Vec3& p : points) low = min(low, p), high = max(high, p);
-  return length(high - low);
 }
 
 /// Along the axis nearest to the normal, so that shapes keep their area as far as possible.
@@ -95,7 +94,9 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const std::vec
   return std::nullopt;
 }
 
-Problem problem(std::string message) { return {"points", std::move(message)}; }
+Problem problem(std::string message) {
+  return {"points", std::move(message)};
+}
 
 std::optional<Problem> check_steps(std::span<const Vec3> points) {
   const std::size_t n = points.size();
@@ -108,7 +109,7 @@ std::optional<Problem> check_steps(std::span<const Vec3> points) {
 }
 
 std::optional<Problem> check_plane(std::span<const Vec3> points, const Vec3& unit_normal) {
-  const double tolerance = 1e-9 * extent(points) + 8 * epsilon * largest_coordinate(points);
+  const double tolerance = 1e-9 * outline_extent(points) + 8 * epsilon * largest_coordinate(points);
   std::size_t worst = 0;
   double distance = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -138,7 +139,7 @@ std::optional<Problem> check_outline(std::span<const Vec3> points) {
   if (auto found = check_steps(points)) return found;
   if (is_line(points)) return problem("all points lie on one line: there is no area between them");
   const Vec3 normal = newell_normal(points);
-  const double size = extent(points);
+  const double size = outline_extent(points);
   if (length(normal) <= 4 * epsilon * size * (size + largest_coordinate(points)))
     return problem("the outline crosses itself: write the points in order around it");
   if (auto found = check_plane(points, normalize(normal))) return found;

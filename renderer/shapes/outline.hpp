@@ -14,6 +14,9 @@ Vec3 newell_normal(std::span<const Vec3> points);
 /// Whether all points lie on one line, up to the rounding of their coordinates.
 bool is_line(std::span<const Vec3> points);
 
+/// The diagonal of the box around the points.
+double outline_extent(std::span<const Vec3> points);
+
 /// The box around the points' images.
 Box3 outline_bounds(std::span<const Vec3> points, const Affine& map);
 

@@ -1,10 +1,13 @@
 #include "renderer/shapes/plane.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 namespace rt::scene {
 
 std::span<const Field> fields(const Plane*) {
   static constexpr Field table[] = {
-      field<&Plane::normal>("normal", {"[0, 1, 0]", "direction perpendicular to the plane, away from its solid side", nonzero, 1}),
+      field<&Plane::normal>(
+          "normal", {"[0, 1, 0]", "direction perpendicular to the plane, away from its solid side", nonzero, 1}),
       field<&Plane::offset>("offset", {"0", "distance of the plane from the origin along `normal`", any_value, 1}),
       field<&Plane::x>("x", {"", "the plane of this x, facing +x", any_value, 2}),
       field<&Plane::y>("y", {"", "the plane of this y, facing +y", any_value, 3}),
@@ -13,7 +16,9 @@ std::span<const Field> fields(const Plane*) {
   return table;
 }
 
-std::optional<Problem> check(const Plane&) { return std::nullopt; }
+std::optional<Problem> check(const Plane&) {
+  return std::nullopt;
+}
 
 } // namespace rt::scene
 
@@ -44,6 +49,35 @@ Box3 bounds(const PlaneGeometry& plane, const Affine& map) {
     if (image->normal[axis] == -1) box.lower[axis] = -image->offset;
   }
   return box;
+}
+
+// What matters is how far the rounding of a point's distance from the plane reaches: that is a sum of products of the
+// coordinates with the normal's.
+SurfacePoint surface_point(const PlaneGeometry& plane, const Ray& ray, const Hit& hit) {
+  const Vec3 p = ray.at(hit.t);
+  const Vec3 position = p - plane.normal * (dot(plane.normal, p) - plane.offset);
+  const double distance_terms = magnitude(multiply(plane.normal, position)) + std::abs(plane.offset);
+  return {position, plane.normal,
+          rounding_bound(16) * distance_terms + rounding_bound(2) * magnitude(position) +
+              std::numeric_limits<double>::min()};
+}
+
+Crossings crossings(const PlaneGeometry& plane, const Ray& ray) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double approach = dot(plane.normal, ray.direction);
+  const double t = (plane.offset - dot(plane.normal, ray.origin)) / approach;
+  Crossings found;
+  if (approach < 0)
+    found.add({t, 0}, {infinity, 0});
+  else if (approach > 0)
+    found.add({-infinity, 0}, {t, 0});
+  else if (contains(plane, ray.origin))
+    found.add({-infinity, 0}, {infinity, 0});
+  return found;
+}
+
+bool contains(const PlaneGeometry& plane, const Vec3& point) {
+  return dot(plane.normal, point) < plane.offset;
 }
 
 } // namespace rt

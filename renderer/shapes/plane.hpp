@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// The points p with n̂·p = offset, n̂ the unit vector along `normal`; or those of one coordinate: `x: k`, `y: k`, `z: k`.
-/// As a solid it is the half-space on the side the normal points away from.
+/// The points p with n̂·p = offset, n̂ the unit vector along `normal`; or those of one coordinate: `x: k`, `y: k`, `z:
+/// k`. As a solid it is the half-space on the side the normal points away from.
 struct Plane {
   static constexpr std::string_view noun = "plane";
   static constexpr std::string_view help = "an endless flat surface; as a solid, the half-space behind it";
@@ -32,5 +32,21 @@ PlaneGeometry geometry(const scene::Plane& plane);
 std::optional<PlaneGeometry> placed(const PlaneGeometry& plane, const Affine& map);
 /// Of the solid half-space.
 Box3 bounds(const PlaneGeometry& plane, const Affine& map = {});
+
+SurfacePoint surface_point(const PlaneGeometry& plane, const Ray& ray, const Hit& hit);
+Crossings crossings(const PlaneGeometry& plane, const Ray& ray);
+bool contains(const PlaneGeometry& plane, const Vec3& point);
+constexpr bool is_solid(const PlaneGeometry&) {
+  return true;
+}
+
+inline bool intersect(const PlaneGeometry& plane, const Ray& ray, const Interval& range, Hit& hit) {
+  const double approach = dot(plane.normal, ray.direction);
+  if (approach == 0) return false; // parallel, even if within the plane
+  const double t = (plane.offset - dot(plane.normal, ray.origin)) / approach;
+  if (!range.contains(t)) return false;
+  hit = {t, 0};
+  return true;
+}
 
 } // namespace rt

@@ -21,11 +21,18 @@ namespace rt {
 
 struct PolygonGeometry {
   std::vector<Vec3> points;
-  Vec3 normal; ///< unit; the points run counterclockwise about it
+  Vec3 normal;       ///< unit; the points run counterclockwise about it
+  double extent = 0; ///< diagonal of the box around the points
 };
 
 PolygonGeometry geometry(const scene::Polygon& polygon);
 std::optional<PolygonGeometry> placed(const PolygonGeometry& polygon, const Affine& map);
 Box3 bounds(const PolygonGeometry& polygon, const Affine& map = {});
+
+SurfacePoint surface_point(const PolygonGeometry& polygon, const Ray& ray, const Hit& hit);
+constexpr bool is_solid(const PolygonGeometry&) {
+  return false;
+}
+bool intersect(const PolygonGeometry& polygon, const Ray& ray, const Interval& range, Hit& hit);
 
 } // namespace rt

@@ -1,5 +1,6 @@
 #include "renderer/shapes/quad.hpp"
 
+#include "renderer/shapes/flat.hpp"
 #include "renderer/shapes/outline.hpp"
 
 namespace rt::scene {
@@ -20,7 +21,8 @@ std::span<const Field> fields(const Quad*) {
 std::optional<Problem> check(const Quad& quad) {
   if (quad.points) return check_outline(*quad.points);
   if (!quad.corner && !quad.edge_u && !quad.edge_v) return std::nullopt;
-  if (!quad.corner) return Problem{quad.edge_u ? "edge_u" : "edge_v", "a quad with edges needs `corner`, where they start"};
+  if (!quad.corner)
+    return Problem{quad.edge_u ? "edge_u" : "edge_v", "a quad with edges needs `corner`, where they start"};
   if (!quad.edge_u) return Problem{"corner", "a quad with `corner` needs `edge_u` and `edge_v`: `edge_u` is missing"};
   if (!quad.edge_v) return Problem{"corner", "a quad with `corner` needs `edge_u` and `edge_v`: `edge_v` is missing"};
   const Vec3 corners[] = {{}, *quad.edge_u, *quad.edge_v};
@@ -33,6 +35,10 @@ std::optional<Problem> check(const Quad& quad) {
 namespace rt {
 namespace {
 
+QuadGeometry from_points(const std::array<Vec3, 4>& points) {
+  return {points, normalize(newell_normal(points)), outline_extent(points)};
+}
+
 /// The directions of a square's edges, u × v = normal.
 std::pair<Vec3, Vec3> square_axes(const Vec3& normal) {
   const Vec3 level = cross({0, 1, 0}, normal);
@@ -43,7 +49,6 @@ std::pair<Vec3, Vec3> square_axes(const Vec3& normal) {
 } // namespace
 
 QuadGeometry geometry(const scene::Quad& quad) {
-  const auto from_points = [](const std::array<Vec3, 4>& p) { return QuadGeometry{p, normalize(newell_normal(p))}; };
   if (quad.points) {
     const auto& p = *quad.points;
     return from_points({p[0], p[1], p[2], p[3]});
@@ -55,15 +60,25 @@ QuadGeometry geometry(const scene::Quad& quad) {
   const Vec3 normal = normalize(quad.normal.value_or(Vec3{0, 1, 0}));
   const auto [u, v] = square_axes(normal);
   const double half = quad.size.value_or(1) / 2;
-  return {{(u + v) * -half, (u - v) * half, (u + v) * half, (v - u) * half}, normal};
+  const std::array<Vec3, 4> corners{(u + v) * -half, (u - v) * half, (u + v) * half, (v - u) * half};
+  return {corners, normal, outline_extent(corners)};
 }
 
 std::optional<QuadGeometry> placed(const QuadGeometry& quad, const Affine& map) {
   const auto& p = quad.points;
-  const std::array<Vec3, 4> image{map.point(p[0]), map.point(p[1]), map.point(p[2]), map.point(p[3])};
-  return QuadGeometry{image, normalize(newell_normal(image))};
+  return from_points({map.point(p[0]), map.point(p[1]), map.point(p[2]), map.point(p[3])});
 }
 
-Box3 bounds(const QuadGeometry& quad, const Affine& map) { return outline_bounds(quad.points, map); }
+Box3 bounds(const QuadGeometry& quad, const Affine& map) {
+  return outline_bounds(quad.points, map);
+}
+
+SurfacePoint surface_point(const QuadGeometry& quad, const Ray& ray, const Hit& hit) {
+  return flat_point(quad.points[0], quad.normal, quad.extent, ray, hit);
+}
+
+bool intersect(const QuadGeometry& quad, const Ray& ray, const Interval& range, Hit& hit) {
+  return intersect_face(quad.points, quad.normal, ray, range, hit);
+}
 
 } // namespace rt

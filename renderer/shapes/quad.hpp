@@ -8,8 +8,8 @@ namespace rt::scene {
 /// A flat four-sided face: a square of `size` about the origin of the shape's own space, perpendicular to `normal`; or
 /// the parallelogram at `corner` spanned by `edge_u` and `edge_v`; or four `points` of one plane, in order.
 ///
-/// The square stands upright: two of its edges are level, along u = y × normal (along x where the normal is vertical, to
-/// 1e-9), the others along normal × u.
+/// The square stands upright: two of its edges are level, along u = y × normal (along x where the normal is vertical,
+/// to 1e-9), the others along normal × u.
 struct Quad {
   static constexpr std::string_view noun = "quad";
   static constexpr std::string_view help = "a flat face with four corners";
@@ -28,11 +28,18 @@ namespace rt {
 
 struct QuadGeometry {
   std::array<Vec3, 4> points;
-  Vec3 normal; ///< unit; the points run counterclockwise about it
+  Vec3 normal;       ///< unit; the points run counterclockwise about it
+  double extent = 0; ///< diagonal of the box around the points
 };
 
 QuadGeometry geometry(const scene::Quad& quad);
 std::optional<QuadGeometry> placed(const QuadGeometry& quad, const Affine& map);
 Box3 bounds(const QuadGeometry& quad, const Affine& map = {});
+
+SurfacePoint surface_point(const QuadGeometry& quad, const Ray& ray, const Hit& hit);
+constexpr bool is_solid(const QuadGeometry&) {
+  return false;
+}
+bool intersect(const QuadGeometry& quad, const Ray& ray, const Interval& range, Hit& hit);
 
 } // namespace rt

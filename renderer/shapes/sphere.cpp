@@ -1,5 +1,7 @@
 #include "renderer/shapes/sphere.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 namespace rt::scene {
 
 std::span<const Field> fields(const Sphere*) {
@@ -9,13 +11,17 @@ std::span<const Field> fields(const Sphere*) {
   return table;
 }
 
-std::optional<Problem> check(const Sphere&) { return std::nullopt; }
+std::optional<Problem> check(const Sphere&) {
+  return std::nullopt;
+}
 
 } // namespace rt::scene
 
 namespace rt {
 
-SphereGeometry geometry(const scene::Sphere& sphere) { return {{}, sphere.radius}; }
+SphereGeometry geometry(const scene::Sphere& sphere) {
+  return {{}, sphere.radius};
+}
 
 std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map) {
   const auto scale = similarity_scale(map);
@@ -28,6 +34,29 @@ Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
   const Vec3 reach = Vec3{length(map.row(0)), length(map.row(1)), length(map.row(2))} * sphere.radius;
   const Vec3 center = map.point(sphere.center);
   return {center - reach, center + reach};
+}
+
+SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit) {
+  const Vec3 normal = normalize(ray.at(hit.t) - sphere.center);
+  return {sphere.center + normal * sphere.radius, normal,
+          rounding_bound(32) * (magnitude(sphere.center) + sphere.radius)};
+}
+
+Crossings crossings(const SphereGeometry& sphere, const Ray& ray) {
+  const Vec3 to_center = sphere.center - ray.origin;
+  const double power = dot(to_center, to_center) - sphere.radius * sphere.radius;
+  const SphereChord chord(to_center, power, ray.direction, sphere.radius);
+  Crossings found;
+  if (!(chord.half_squared > 0)) return found;
+  Hit enter, leave;
+  chord.roots(enter.t, leave.t);
+  if (enter.t < leave.t) found.add(enter, leave);
+  return found;
+}
+
+bool contains(const SphereGeometry& sphere, const Vec3& point) {
+  const Vec3 v = point - sphere.center;
+  return dot(v, v) < sphere.radius * sphere.radius;
 }
 
 } // namespace rt

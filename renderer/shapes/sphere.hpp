@@ -28,4 +28,48 @@ SphereGeometry geometry(const scene::Sphere& sphere);
 std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map);
 Box3 bounds(const SphereGeometry& sphere, const Affine& map = {});
 
+SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit);
+Crossings crossings(const SphereGeometry& sphere, const Ray& ray);
+bool contains(const SphereGeometry& sphere, const Vec3& point);
+constexpr bool is_solid(const SphereGeometry&) {
+  return true;
+}
+
+/// The line's way through the ball is a chord about the point nearest to the centre. Half of it follows from that
+/// point's distance, which keeps its precision for far origins (Haines, Günther and Akenine-Möller, Precision
+/// Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019); the root that would cancel follows from the
+/// product of both.
+struct SphereChord {
+  double middle;       ///< t of the point nearest to the centre
+  double half_squared; ///< negative: the line passes by
+  double product;      ///< of both roots: positive where the origin is outside
+
+  SphereChord(const Vec3& to_center, double power, const Vec3& direction, double radius) {
+    const double inverse = 1 / dot(direction, direction);
+    middle = dot(to_center, direction) * inverse;
+    const Vec3 aside = to_center - direction * middle;
+    half_squared = (radius * radius - dot(aside, aside)) * inverse;
+    product = power * inverse;
+  }
+  /// Both roots in order; half_squared must not be negative.
+  void roots(double& near, double& far) const {
+    const double half = std::sqrt(half_squared);
+    if (middle >= 0)
+      far = middle + half, near = product / far;
+    else
+      near = middle - half, far = product / near;
+  }
+};
+
+inline bool intersect(const SphereGeometry& sphere, const Ray& ray, const Interval& range, Hit& hit) {
+  const Vec3 to_center = sphere.center - ray.origin;
+  const double power = dot(to_center, to_center) - sphere.radius * sphere.radius;
+  if (power > 0 && dot(to_center, ray.direction) <= 0) return false; // outside and on the way out
+  const SphereChord chord(to_center, power, ray.direction, sphere.radius);
+  if (!(chord.half_squared >= 0)) return false;
+  Hit near, far;
+  chord.roots(near.t, far.t);
+  return take_first(near, far, range, hit);
+}
+
 } // namespace rt

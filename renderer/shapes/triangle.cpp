@@ -1,5 +1,6 @@
 #include "renderer/shapes/triangle.hpp"
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/shapes/outline.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,8 @@ std::span<const Field> fields(const Triangle*) {
 }
 
 std::optional<Problem> check(const Triangle& triangle) {
-  if (is_line(triangle.points)) return Problem{"points", "the three points lie on one line: there is no area between them"};
+  if (is_line(triangle.points))
+    return Problem{"points", "the three points lie on one line: there is no area between them"};
   if (triangle.normals.empty()) return std::nullopt;
   if (triangle.normals.size() != 3)
     return Problem{"normals", fmt::format("a triangle has three normals, one for each corner, or none; here are {}",
@@ -32,13 +34,36 @@ std::optional<Problem> check(const Triangle& triangle) {
 
 namespace rt {
 
-TriangleGeometry geometry(const scene::Triangle& triangle) { return {triangle.points}; }
+TriangleGeometry geometry(const scene::Triangle& triangle) {
+  return {triangle.points};
+}
 
 std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const Affine& map) {
   const auto& p = triangle.points;
   return TriangleGeometry{{map.point(p[0]), map.point(p[1]), map.point(p[2])}};
 }
 
-Box3 bounds(const TriangleGeometry& triangle, const Affine& map) { return outline_bounds(triangle.points, map); }
+Box3 bounds(const TriangleGeometry& triangle, const Affine& map) {
+  return outline_bounds(triangle.points, map);
+}
+
+SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& ray, const Hit& hit) {
+  const Vec3 ab = triangle.points[1] - triangle.points[0], ac = triangle.points[2] - triangle.points[0];
+  return flat_point(triangle.points[0], normalize(cross(ab, ac)), magnitude(ab) + magnitude(ac), ray, hit);
+}
+
+Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point) {
+  const Vec3 ab = triangle.points[1] - triangle.points[0], ac = triangle.points[2] - triangle.points[0];
+  const Vec3 ap = point - triangle.points[0];
+  const Vec3 normal = cross(ab, ac);
+  const double whole = dot(normal, normal);
+  const double b = dot(cross(ap, ac), normal) / whole, c = dot(cross(ab, ap), normal) / whole;
+  return {1 - b - c, b, c};
+}
+
+Vec3 interpolated_normal(const TriangleGeometry& triangle, const std::array<Vec3, 3>& normals, const Vec3& point) {
+  const Vec3 weight = barycentric(triangle, point);
+  return normalize(normals[0] * weight.x + normals[1] * weight.y + normals[2] * weight.z);
+}
 
 } // namespace rt

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/scene/field.hpp"
-#include "renderer/shapes/hit.hpp"
+#include "renderer/shapes/flat.hpp"
 
 namespace rt::scene {
 
@@ -28,5 +28,40 @@ struct TriangleGeometry {
 TriangleGeometry geometry(const scene::Triangle& triangle);
 std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const Affine& map);
 Box3 bounds(const TriangleGeometry& triangle, const Affine& map = {});
+
+/// The normal is right-handed about the corners' order.
+SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& ray, const Hit& hit);
+constexpr bool is_solid(const TriangleGeometry&) {
+  return false;
+}
+
+/// The weights of the corners at a point of the triangle's plane; their sum is 1.
+Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point);
+/// The unit normal at a point, from unit normals at the corners.
+Vec3 interpolated_normal(const TriangleGeometry& triangle, const std::array<Vec3, 3>& normals, const Vec3& point);
+
+template <std::size_t Axis>
+inline bool intersect_along(const TriangleGeometry& triangle, const Ray& ray, const Interval& range, Hit& hit) {
+  const Vec3 a = triangle.points[0] - ray.origin;
+  const Vec3 b = triangle.points[1] - ray.origin;
+  const Vec3 c = triangle.points[2] - ray.origin;
+  const Projected p = projected<Axis>(a, ray.direction);
+  const Projected q = projected<Axis>(b, ray.direction);
+  const Projected r = projected<Axis>(c, ray.direction);
+  // Twice the areas opposite the corners: the corners' weights at the hit, times their sum.
+  const double u = side_of_origin(q, r), v = side_of_origin(r, p), w = side_of_origin(p, q);
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
+  const double area = u + v + w;
+  if (area == 0) return false; // seen edge-on
+  const double t = (u * a[Axis] + v * b[Axis] + w * c[Axis]) / (area * ray.direction[Axis]);
+  if (!range.contains(t)) return false;
+  hit = {t, 0};
+  return true;
+}
+
+inline bool intersect(const TriangleGeometry& triangle, const Ray& ray, const Interval& range, Hit& hit) {
+  return along_largest(ray.direction,
+                       [&]<std::size_t Axis>() { return intersect_along<Axis>(triangle, ray, range, hit); });
+}
 
 } // namespace rt

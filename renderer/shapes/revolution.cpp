@@ -1,0 +1,14 @@
+#include "renderer/shapes/revolution.hpp"
+
+namespace rt {
+
+// Far along the axis the first rejection leaves a part along the axis that is small only beside the height; the second
+// one is of a short vector.
+Vec3 radial_direction(const Vec3& from_base, const Vec3& axis) {
+  const Vec3 outward = reject(from_base, axis);
+  const double distance = length(outward);
+  if (distance == 0) return {};
+  return normalize(reject(outward / distance, axis));
+}
+
+} // namespace rt

@@ -111,22 +111,43 @@ void write_all(int file, std::string_view bytes, const std::string& name) {
   }
 }
 
-void replace_file(const std::string& path, std::string_view bytes) {
+namespace {
+
+/// What a path leads to.
+struct Target {
+  std::filesystem::path path; ///< links followed
+  bool exists;
+  struct stat status;
+};
+
+/// The target of a path that may be written; throws otherwise.
+Target writable_target(const std::string& path) {
   std::error_code no_link;
-  std::filesystem::path target = path;
-  if (std::filesystem::is_symlink(target, no_link)) target = std::filesystem::weakly_canonical(target);
-
-  struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(EISDIR, "write", path);
-  if (exists && !S_ISREG(old.st_mode)) return write_directly(path, bytes);
+  Target target{path, false, {}};
+  if (std::filesystem::is_symlink(target.path, no_link)) target.path = std::filesystem::weakly_canonical(target.path);
+  target.exists = ::stat(target.path.c_str(), &target.status) == 0;
+  if (target.exists && S_ISDIR(target.status.st_mode)) fail(EISDIR, "write", path);
   // A rename would replace even a file that may not be written.
-  if (exists && ::access(target.c_str(), W_OK) != 0) fail(errno, "write", path);
+  if (target.exists && ::access(target.path.c_str(), W_OK) != 0) fail(errno, "write", path);
+  if (!target.exists || S_ISREG(target.status.st_mode)) {
+    const std::string folder = target.path.has_parent_path() ? target.path.parent_path().string() : ".";
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(errno, "write", path);
+  }
+  return target;
+}
 
-  Temporary temporary(target);
+} // namespace
+
+void require_writable(const std::string& path) { writable_target(path); }
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  const Target target = writable_target(path);
+  if (target.exists && !S_ISREG(target.status.st_mode)) return write_directly(path, bytes);
+
+  Temporary temporary(target.path);
   const int file = temporary.file().get();
   write_all(file, bytes, path);
-  if (exists && ::fchmod(file, old.st_mode & 07777) != 0) fail(errno, "write", path);
+  if (target.exists && ::fchmod(file, target.status.st_mode & 07777) != 0) fail(errno, "write", path);
   // Without this a crash of the machine could leave the new name on an empty file.
   if (::fsync(file) != 0 && errno != EINVAL && errno != EROFS) fail(errno, "write", path);
   if (const int error = temporary.file().close()) fail(error, "write", path);

@@ -13,6 +13,9 @@ std::string read_file(const std::string& path);
 /// link is followed; what is no regular file (a device, a pipe) is written to directly.
 void replace_file(const std::string& path, std::string_view bytes);
 
+/// Throws what `replace_file` would throw for a folder that is missing or may not be written, without writing anything.
+void require_writable(const std::string& path);
+
 /// Writes all bytes to an open file. Throws std::system_error, which names it as `name`.
 void write_all(int file, std::string_view bytes, const std::string& name);
 

@@ -1,1 +1,3 @@
-int main() {}
+#include "tools/rtlang/program.hpp"
+
+int main(int count, char** arguments) { return rt::tools::run({arguments + 1, arguments + count}); }

@@ -166,7 +166,7 @@ private:
     if (steps.empty()) return;
     list("chain", steps, [this](const scene::Step& step) {
       sink_.begin_object();
-      std::visit([this](const auto& s) { members(s); }, step);
+      std::visit([this](const auto& s) { this->members(s); }, step);
       sink_.end_object();
     });
   }

@@ -29,7 +29,7 @@ double rays_per_second(const RenderStatistics& render) {
   return render.trace_seconds > 0 ? static_cast<double>(count_rays(render)) / render.trace_seconds : 0;
 }
 
-std::string seconds(double value) { return fmt::format(value < 9.995 ? "{:.2f} s" : "{:.1f} s", value); }
+std::string seconds(double value) { return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1); }
 
 } // namespace
 

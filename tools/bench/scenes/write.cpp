@@ -22,8 +22,8 @@ std::string rgb(const Color& c, std::string_view separator) { return xyz({c.r, c
 
 // Our own language.
 
-std::string list(const Vec3& p) { return "[" + xyz(p, ", ") + "]"; }
-std::string linear(const Color& c) { return "linear_rgb(" + rgb(c, ", ") + ")"; }
+std::string list(const Vec3& p) { return fmt::format("[{}]", xyz(p, ", ")); }
+std::string linear(const Color& c) { return fmt::format("linear_rgb({})", rgb(c, ", ")); }
 
 void rtl_header(std::string& out, const Layout& layout) {
   put(out, "size: [{0}, {0}]\nmax_depth: {1}\nambient: 1\nbackground: {2}\n\n", picture_size, mirror_depth,
@@ -59,8 +59,8 @@ std::string rtl(const Layout& layout, bool is_natural) {
 // POV-Ray's scene description language. Its camera looks along `direction` with whatever `right` it is given, so a
 // right-handed one needs no mirroring. Its trace level counts the camera's ray as one.
 
-std::string angle(const Vec3& p) { return "<" + xyz(p, ",") + ">"; }
-std::string angle(const Color& c) { return "<" + rgb(c, ",") + ">"; }
+std::string angle(const Vec3& p) { return fmt::format("<{}>", xyz(p, ",")); }
+std::string angle(const Color& c) { return fmt::format("<{}>", rgb(c, ",")); }
 
 std::string povray(const Layout& layout) {
   std::string out = fmt::format("#version 3.7;\nglobal_settings {{ assumed_gamma 1.0 max_trace_level {} adc_bailout 0 }}\n",

@@ -18,6 +18,9 @@ public:
   /// The ray of one sample of a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
   Ray ray(int pixel_x, int pixel_y, int sample, int n) const;
 
+  /// Whether all rays start at the same point.
+  bool has_one_eye() const { return !is_orthographic_; }
+
 private:
   Vec3 origin_;
   Vec3 forward_, right_, down_; // right_ and down_ reach from the picture's middle to its edges

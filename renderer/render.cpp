@@ -53,7 +53,7 @@ public:
   Job(const scene::Scene& scene, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect,
       Film& film)
       : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(scene.camera, scene.size),
-        side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))),
+        around_eye_(traceable.around(scene.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))),
         columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
 
   /// What one thread does: takes tiles until none are left or it is told to stop.
@@ -131,12 +131,14 @@ private:
 
     Color radiance(const Ray& ray) {
       ++camera_rays_;
-      return whitted_.radiance(ray, inside_);
+      if (job_.camera_.has_one_eye() || !job_.traceable_.has_transparent())
+        return whitted_.radiance(ray, job_.around_eye_);
+      return whitted_.radiance(ray, job_.traceable_.around(ray.origin));
     }
 
     void trace_layers(const Ray& ray, std::size_t index) {
-      RayHit hit;
-      if (!job_.traceable_.nearest(ray, 0, hit, scratch_)) return;
+      const RayHit hit = job_.traceable_.nearest(ray, {}, scratch_);
+      if (!hit) return;
       const Surface surface = job_.traceable_.surface(ray, hit);
       MaterialValues values;
       const Vec3 n = surface.shading_normal;
@@ -153,7 +155,6 @@ private:
     NoRecorder recorder_;
     Whitted<> whitted_;
     TraceScratch scratch_;
-    std::vector<Interior> inside_;
     std::uint64_t camera_rays_ = 0;
     std::uint64_t reported_ = 0;
   };
@@ -187,6 +188,7 @@ private:
   PixelRect rect_;
   Film& film_;
   CameraRays camera_;
+  std::vector<Interior> around_eye_;
   int side_; // of the grid of samples in a pixel
   int columns_, rows_;
   std::atomic<int> next_tile_ = 0, finished_tiles_ = 0;
@@ -214,7 +216,7 @@ Rendered render(const scene::Scene& scene, const RenderOptions& options) {
 
   const Clock::time_point build_start = Clock::now();
   const Traceable traceable(scene, statistics.threads);
-  statistics.primitives = traceable.primitive_count();
+  statistics.primitives = count_primitives(scene);
   statistics.build_seconds = seconds_since(build_start);
 
   const Clock::time_point trace_start = Clock::now();

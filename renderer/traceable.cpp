@@ -1,155 +1,158 @@
 #include "renderer/traceable.hpp"
 
-#include "renderer/accel/tree.hpp"
+#include <algorithm>
 
 namespace rt {
 namespace {
 
-struct Placed {
-  std::uint32_t order;
-  std::uint32_t material;
+// A hit's surface on its way from the leaf's assembly out to the scene.
+struct Resolved {
+  LeafSurface leaf;
+  std::uint64_t order = 0;
+  bool is_medium_known = false;
+  Vec3 weights;                // of a smooth triangle's corners
+  std::array<Vec3, 3> normals; // theirs
 };
 
-struct NearestQuery : accel::Query {
-  NearestQuery(const Ray& r, double from, RayHit& h) : Query(r, {from, h.t}), hit(h) {}
-  RayHit& hit;
-  std::uint32_t order = 0;
-  bool found = false;
-};
-
-struct ShadowQuery : accel::Query {
-  using Query::Query;
-};
-
-int roots(const SphereGeometry& s, const Ray& ray, double& near, double& far) {
-  const Vec3 to_center = s.center - ray.origin;
-  const double a = dot(ray.direction, ray.direction), b = dot(to_center, ray.direction);
-  const Vec3 off = to_center - ray.direction * (b / a);
-  const double h2 = s.radius * s.radius - dot(off, off);
-  if (h2 < 0) return 0;
-  const double q = b + std::copysign(std::sqrt(h2 * a), b);
-  const double c = dot(to_center, to_center) - s.radius * s.radius;
-  near = c / q, far = q / a;
-  if (near > far) std::swap(near, far);
-  return 2;
+// The style of the leaf's medium as soon as what it inherits is known.
+void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId inherited) {
+  if (r.is_medium_known || inherited == inherited_style) return;
+  r.leaf.medium = r.leaf.solids ? r.leaf.solids->medium(hit.index, styles, inherited) : inherited;
+  r.is_medium_known = true;
 }
 
-struct Spheres {
-  std::vector<SphereGeometry> shapes;
-  std::vector<Placed> placed;
-  std::uint32_t size() const { return static_cast<std::uint32_t>(shapes.size()); }
-  Box3 bounds(std::uint32_t i) const {
-    const Vec3 r{shapes[i].radius, shapes[i].radius, shapes[i].radius};
-    return {shapes[i].center - r, shapes[i].center + r};
+Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
+  Resolved r;
+  r.leaf = hit.kind->surface(hit.leaves, styles, ray, hit);
+  r.order = hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot);
+  settle_medium(r, styles, hit, r.leaf.medium);
+  if (r.leaf.smooth) {
+    r.weights = barycentric(r.leaf.smooth->flat, r.leaf.point.position);
+    r.normals = r.leaf.smooth->normals;
   }
-  void nearest(std::uint32_t i, NearestQuery& q) const {
-    double near, far;
-    if (!roots(shapes[i], q.ray, near, far)) return;
-    const double t = near > q.interval.lower ? near : far;
-    if (!(t > q.interval.lower) || t > q.interval.upper) return;
-    if (t == q.interval.upper && q.found && placed[i].order > q.order) return;
-    q.interval.upper = t, q.found = true, q.order = placed[i].order;
-    q.hit = {t, 0, i, 0};
-  }
-  bool blocks(std::uint32_t i, ShadowQuery& q) const {
-    double near, far;
-    if (!roots(shapes[i], q.ray, near, far)) return false;
-    return (near > q.interval.lower && near <= q.interval.upper) || (far > q.interval.lower && far <= q.interval.upper);
-  }
-};
+  return r;
+}
 
-struct Plane : PlaneGeometry {
-  Placed placed;
-};
+// `first` is the order of the assembly's first leaf.
+Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit,
+                 std::uint64_t first) {
+  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit);
+  std::uint32_t slot = 0;
+  const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
+  const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
+  Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
+  r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
+  const StyleId style = step.leaves->tag(step.index).style_id();
+  if (r.leaf.style == inherited_style && style != inherited_style) {
+    r.leaf.style = style;
+    r.leaf.pattern_point = styles.pattern_point(style, r.leaf.point.position);
+  }
+  settle_medium(r, styles, hit, style);
+  if (r.leaf.smooth)
+    for (Vec3& normal : r.normals) normal = instance.to_outer.normal(normal);
+  return r;
+}
+
+// Corner normals are carried to the scene and normalised before they are interpolated, as POV-Ray does.
+Vec3 smooth_normal(const Resolved& r) {
+  const Vec3 n = normalize(r.normals[0]) * r.weights.x + normalize(r.normals[1]) * r.weights.y +
+                 normalize(r.normals[2]) * r.weights.z;
+  const double size = length(n);
+  return size > 0 ? n / size : r.leaf.point.normal;
+}
 
 } // namespace
 
-struct Traceable::Geometry {
-  accel::Device device;
-  Spheres spheres;
-  std::vector<Plane> planes;
-  accel::Tree tree;
-  explicit Geometry(int threads) : device(threads) {}
-};
-
 Traceable::Traceable(const scene::Scene& scene, int threads)
-    : geometry_(std::make_unique<Geometry>(threads)), materials_(scene), background_(scene.background),
-      ambient_(scene.ambient), max_depth_(scene.max_depth) {
+    : compiled_(scene, threads), background_(scene.background), ambient_(scene.ambient), max_depth_(scene.max_depth) {
+  lamps_.reserve(scene.lights.size());
   for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
-  Geometry& g = *geometry_;
-  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-    const scene::Object& object = scene.objects[i];
-    if (!object.is_visible) continue;
-    const Placed where{i, object.material == scene::no_material ? materials_.default_material()
-                                                                : static_cast<std::uint32_t>(object.material)};
-    if (object.shape.kind == scene::kind_of<scene::Sphere>) {
-      const auto sphere = placed(geometry(scene.shapes.get<scene::Sphere>(object.shape)), to_parent(scene, object));
-      if (!sphere) continue;
-      g.spheres.shapes.push_back(*sphere);
-      g.spheres.placed.push_back(where);
-    } else if (object.shape.kind == scene::kind_of<scene::Plane>) {
-      const auto plane = placed(geometry(scene.shapes.get<scene::Plane>(object.shape)), to_parent(scene, object));
-      g.planes.push_back({*plane, where});
-    }
-  }
-  Box3 box;
-  for (std::uint32_t i = 0; i < g.spheres.size(); ++i) box.extend(g.spheres.bounds(i));
-  if (!box.is_empty()) {
-    g.tree = accel::Tree(g.device, box);
-    g.tree.add<NearestQuery, ShadowQuery>(g.spheres);
-    g.tree.build();
-  }
 }
 
-Traceable::~Traceable() = default;
+RayHit Traceable::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+  RayHit hit;
+  NearestQuery query(ray, range, compiled_.root(), 0, hit, scratch);
+  compiled_.root().nearest(query);
+  return hit;
+}
 
-bool Traceable::nearest(const Ray& ray, double t_min, RayHit& hit, TraceScratch&) const {
-  NearestQuery query(ray, t_min, hit);
-  for (std::uint32_t i = 0; i < geometry_->planes.size(); ++i) {
-    const Plane& p = geometry_->planes[i];
-    const double t = (p.offset - dot(p.normal, ray.origin)) / dot(p.normal, ray.direction);
-    if (!(t > t_min) || !(t < query.interval.upper)) continue;
-    query.interval.upper = t, query.found = true, query.order = p.placed.order;
-    hit = {t, 1, i, 0};
-  }
-  if (!geometry_->tree.is_empty()) geometry_->tree.nearest(query);
-  return query.found;
+Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+  scratch.filters.clear();
+  ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.styles(), {compiled_.styles().default_style(), &ray},
+                    scratch);
+  if (compiled_.root().blocks(query)) return black;
+  // They were found in no particular order, and products depend on it by their rounding.
+  std::sort(scratch.filters.begin(), scratch.filters.end(), [](const Filter& a, const Filter& b) {
+    return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
+  });
+  Color left = white;
+  for (const Filter& filter : scratch.filters) left *= filter.transmittance;
+  return left;
 }
 
 Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
+  const Styles& styles = compiled_.styles();
+  const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
   Surface s;
-  s.point = ray.at(hit.t);
-  const Placed* placed;
-  if (hit.kind == 0) {
-    const SphereGeometry& sphere = geometry_->spheres.shapes[hit.index];
-    s.geometric_normal = normalize(s.point - sphere.center);
-    s.point = sphere.center + s.geometric_normal * sphere.radius;
-    placed = &geometry_->spheres.placed[hit.index];
-  } else {
-    s.geometric_normal = geometry_->planes[hit.index].normal;
-    placed = &geometry_->planes[hit.index].placed;
-  }
-  s.shading_normal = s.geometric_normal;
-  s.offset = 0x1p-46 * (max_component(abs(s.point)) + hit.t);
-  s.order = s.interior = placed->order;
-  s.material = placed->material;
-  s.pattern_point = s.point;
-  s.ior = materials_.constant(s.material).ior;
+  s.point = r.leaf.point.position;
+  s.geometric_normal = r.leaf.point.normal;
+  s.shading_normal = r.leaf.smooth ? smooth_normal(r) : r.leaf.point.normal;
+  s.offset = r.leaf.point.error;
+  s.order = r.order;
+  s.material = styles.material(r.leaf.style);
+  s.pattern_point = r.leaf.pattern_point;
+  s.ior = styles.ior(r.leaf.medium);
   return s;
 }
 
-Color Traceable::transmittance(const Ray& ray, double from, double to, TraceScratch&) const {
-  for (const Plane& p : geometry_->planes) {
-    const double t = (p.offset - dot(p.normal, ray.origin)) / dot(p.normal, ray.direction);
-    if (t > from && t <= to) return black;
-  }
-  ShadowQuery query(ray, {from, to});
-  if (!geometry_->tree.is_empty() && geometry_->tree.blocks(query)) return black;
-  return white;
+std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {
+  TraceScratch scratch;
+  std::vector<RayHit> hits;
+  const Styles& styles = compiled_.styles();
+  InspectQuery query(ray, range, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  query.inspects = true;
+  query.hits = &hits;
+  compiled_.root().blocks(query);
+  const auto order = [](const RayHit& h) { return h.base + h.assembly->order(h.kind->tag(h.leaves, h.index).slot); };
+  std::stable_sort(hits.begin(), hits.end(),
+                   [&](const RayHit& a, const RayHit& b) { return a.t < b.t || (a.t == b.t && order(a) < order(b)); });
+  return hits;
 }
 
-std::uint64_t Traceable::primitive_count() const {
-  return geometry_->spheres.size() + geometry_->planes.size();
+std::vector<Interior> Traceable::around(const Vec3& p) const {
+  std::vector<Interior> found;
+  if (!has_transparent()) return found;
+  TraceScratch scratch;
+  const Styles& styles = compiled_.styles();
+  // Any direction will do: the query is about the boxes that its origin is in.
+  const Ray ray{p, {1, 0, 0}};
+  InspectQuery query(ray, {0, 0}, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  query.inspects = true;
+  query.around = &found;
+  compiled_.root().blocks(query);
+  std::sort(found.begin(), found.end(), [](const Interior& a, const Interior& b) { return a.id < b.id; });
+  return found;
+}
+
+std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
+  std::vector<std::uint32_t> path;
+  const Assembly* assembly = &compiled_.root();
+  const auto append = [&](const std::vector<std::uint32_t>& part) {
+    path.insert(path.end(), part.begin(), part.end());
+  };
+  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+    std::uint32_t slot = 0;
+    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    append(assembly->path(step.slot));
+    assembly = step.leaves->leaf(step.index).assembly;
+    first += step.order;
+  }
+  append(assembly->path(hit.kind->tag(hit.leaves, hit.index).slot));
+  if (hit.kind == &leaf_kind<SolidLeaves>) {
+    const auto& solids = *static_cast<const SolidLeaves*>(hit.leaves);
+    append(solids.leaf(hit.index).solid->path(hit.operand));
+  }
+  return path;
 }
 
 } // namespace rt

@@ -1,13 +1,8 @@
 #pragma once
 
-#include "renderer/integrators/interiors.hpp"
+#include "renderer/compile.hpp"
 #include "renderer/lights.hpp"
-#include "renderer/materials.hpp"
-#include "renderer/math/ray.hpp"
 
-#include <cstdint>
-#include <limits>
-#include <memory>
 #include <vector>
 
 namespace rt {
@@ -17,55 +12,56 @@ struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
 };
 
-/// Where a ray meets the scene: enough to work out the rest (`Traceable::surface`) for the one hit that counts.
-struct RayHit {
-  double t = std::numeric_limits<double>::max();
-  std::uint32_t kind = 0;
-  std::uint32_t index = 0;
-  std::uint32_t part = 0;
-};
-
 /// The surface at a hit, in the scene's space.
 struct Surface {
   Vec3 point;
   Vec3 geometric_normal;   ///< unit, out of the solid
   Vec3 shading_normal;     ///< unit; the same but on a triangle with normals of its own
   double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
-  std::uint64_t order = 0; ///< of the object: the number of its place in the order of declaration, from 0
+  std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
   std::uint32_t material = 0;
-  Vec3 pattern_point;         ///< the point in the space of the material's patterns
-  std::uint64_t interior = 0; ///< the solid it belongs to
-  double ior = 1;             ///< of that solid
+  Vec3 pattern_point; ///< the point as the material's patterns see it
+  double ior = 1;     ///< of the solid that the surface belongs to
 };
-
-/// Storage that tracing needs while it runs: each thread has its own.
-struct TraceScratch {};
 
 /// A scene made ready for tracing: immutable, shared by all threads.
 class Traceable {
 public:
-  /// Throws std::bad_alloc or std::runtime_error when the acceleration structure cannot be built.
+  /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
+  /// std::runtime_error when the acceleration structure cannot be built.
   Traceable(const scene::Scene& scene, int threads);
-  ~Traceable();
 
-  bool nearest(const Ray& ray, double t_min, RayHit& hit, TraceScratch& scratch) const;
+  /// The nearest hit in `range`; with equal distances, on the object that was declared first. Without one, the result
+  /// is false.
+  RayHit nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
+  /// What is left of light that takes this way: 0 if something opaque is in the interval, else the product of what the
+  /// surfaces let by.
+  Color transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
+
+  /// What is to be known of a hit of `ray`.
   Surface surface(const Ray& ray, const RayHit& hit) const;
   const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
-    if (!materials_.has_patterns(surface.material)) return materials_.constant(surface.material);
-    return scratch = materials_.at(surface.material, surface.pattern_point);
+    return compiled_.styles().values(surface.material, surface.pattern_point, scratch);
   }
-  Color transmittance(const Ray& ray, double from, double to, TraceScratch& scratch) const;
+
+  /// All hits, from near to far; with equal distances in the order of declaration.
+  std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
+  /// The transparent solids that hold `p`, in the order of declaration.
+  std::vector<Interior> around(const Vec3& p) const;
+  /// Whether `around` may find anything at all.
+  bool has_transparent() const { return compiled_.styles().has_transparent(); }
+
+  /// The positions that lead to what was hit: in the scene's objects, in that one's members, and so on; in the end, for
+  /// a combination, to the operand whose surface it is.
+  std::vector<std::uint32_t> path(const RayHit& hit) const;
 
   const std::vector<Lamp>& lamps() const { return lamps_; }
   Color background() const { return background_; }
   Color ambient() const { return ambient_; }
   int max_depth() const { return max_depth_; }
-  std::uint64_t primitive_count() const;
 
 private:
-  struct Geometry;
-  std::unique_ptr<Geometry> geometry_;
-  Materials materials_;
+  Compiled compiled_;
   std::vector<Lamp> lamps_;
   Color background_, ambient_;
   int max_depth_;

@@ -84,8 +84,8 @@ private:
     Color sum = black,
           passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
     for (int crossings = 0; crossings < max_crossings; ++crossings) {
-      RayHit hit;
-      if (!scene_.nearest(ray, Tolerances::nearest, hit, scratch_)) {
+      const RayHit hit = scene_.nearest(ray, {Tolerances::nearest, unlimited}, scratch_);
+      if (!hit) {
         recorder_.miss(scene_.background());
         return sum + passed * scene_.background();
       }
@@ -156,7 +156,8 @@ private:
   Color shadow(const Surface& surface, const Incidence& incidence) {
     ++counts_.shadow;
     const Ray ray = leaving(surface, incidence.to_light);
-    return scene_.transmittance(ray, Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance), scratch_);
+    return scene_.transmittance(ray, {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)},
+                                scratch_);
   }
 
   // Adds the mirrored ray, and the refracted one if it is bent. True if the ray goes on unbent: then `ray`, `inside`
@@ -164,7 +165,7 @@ private:
   bool continue_ray(const Meeting& m, Color& sum, Color& passed, Ray& ray, List& inside) {
     const MaterialValues& v = *m.values;
     const bool is_transparent = v.refract > 0;
-    const Interior interior{m.surface.interior, m.surface.ior};
+    const Interior interior{m.surface.order, m.surface.ior};
     Passage passage;
     double cos2_behind = 1;
     bool is_bent = false;

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "renderer/materials.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// A material as one object writes it: with the place of its patterns. Index in `Styles`.
+enum class StyleId : std::uint32_t {};
+
+/// The style of the composite that the object stands in.
+inline constexpr StyleId inherited_style{0x7fffffff};
+
+/// All styles of a compiled scene, over its materials.
+class Styles {
+public:
+  explicit Styles(const scene::Scene& scene);
+
+  StyleId default_style() const { return StyleId{materials_.default_material()}; }
+
+  /// The style of an object that stands by `to_outer` in the space that the style is asked about in, and would inherit
+  /// `inherited` if it wrote no material.
+  StyleId of(const scene::Object& object, const Affine& to_outer, StyleId inherited);
+
+  bool is_opaque(StyleId style) const { return at(style).is_opaque; }
+  bool has_transparent() const { return has_transparent_; }
+  std::uint32_t material(StyleId style) const { return at(style).material; }
+  double ior(StyleId style) const { return materials_.constant(at(style).material).ior; }
+
+  /// Where the patterns see the point `p` of the space that the style is asked about in.
+  Vec3 pattern_point(StyleId style, const Vec3& p) const {
+    const Style& s = at(style);
+    return s.place == nowhere ? p : places_[s.place].point(p);
+  }
+  /// The values at a point of that kind. `scratch` holds them where they are not constant.
+  const MaterialValues& values(std::uint32_t material, const Vec3& pattern_point, MaterialValues& scratch) const {
+    if (!materials_.has_patterns(material)) return materials_.constant(material);
+    return scratch = materials_.at(material, pattern_point);
+  }
+  /// What a surface lets by of the light that crosses it.
+  Color transmittance(StyleId style, const Vec3& p) const {
+    MaterialValues scratch;
+    const MaterialValues& v = values(at(style).material, pattern_point(style, p), scratch);
+    return v.color * v.refract;
+  }
+
+private:
+  static constexpr std::uint32_t nowhere = 0xffffffff;
+  struct Style {
+    std::uint32_t material;
+    std::uint32_t place;
+    bool is_opaque;
+  };
+  const Style& at(StyleId id) const { return styles_[static_cast<std::size_t>(id)]; }
+
+  Materials materials_;
+  std::vector<Style> styles_; // first the materials in their order, then those with a place
+  std::vector<Affine> places_;
+  bool has_transparent_ = false;
+};
+
+} // namespace rt

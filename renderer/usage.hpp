@@ -1,0 +1,33 @@
+#pragma once
+
+#include "renderer/scene/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// How often the groups and combinations of a scene are placed, and which groups are worth an assembly of their own.
+/// What stands within a combination is not counted: that is the combination's affair.
+class Usage {
+public:
+  explicit Usage(const scene::Scene& scene);
+
+  bool is_instanced(std::uint32_t group) const { return is_instanced_[group]; }
+  bool is_shared(const scene::ShapeRef& combination) const { return combination_copies_[combination.index] > 1; }
+  /// The groups that become assemblies, each after those it has instances of.
+  std::vector<std::uint32_t> instanced() const;
+
+private:
+  void find_groups(const scene::Scene& scene);
+  void count_leaves(const scene::Scene& scene);
+  void count_copies(const scene::Scene& scene);
+
+  std::vector<std::uint32_t> innermost_first_;
+  std::vector<std::uint64_t> leaves_; // by group: of all levels
+  std::vector<std::uint64_t> copies_; // by group: how often its members would stand in the assemblies
+  std::vector<std::uint64_t> combination_copies_;
+  std::vector<bool> is_instanced_;
+};
+
+} // namespace rt

@@ -1,0 +1,162 @@
+#include "renderer/image/formats.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include <ImfArray.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+namespace rt::image {
+namespace {
+
+/// OpenEXR's output, kept in memory.
+class StringOutput : public Imf::OStream {
+public:
+  explicit StringOutput(std::string& bytes) : OStream("picture"), bytes_(bytes) {}
+  void write(const char data[], int size) override {
+    const std::size_t end = at_ + static_cast<std::size_t>(size);
+    if (bytes_.size() < end) bytes_.resize(end);
+    std::memcpy(bytes_.data() + at_, data, static_cast<std::size_t>(size));
+    at_ = end;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = position; }
+
+private:
+  std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+class StringInput : public Imf::IStream {
+public:
+  StringInput(std::string_view bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
+  bool read(char data[], int size) override {
+    const std::size_t n = static_cast<std::size_t>(size);
+    if (at_ > bytes_.size() || bytes_.size() - at_ < n) throw std::runtime_error("it ends too early");
+    std::memcpy(data, bytes_.data() + at_, n);
+    at_ += n;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+
+private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+/// A channel of a file and the member of a row of pixels that holds it.
+struct Channel {
+  const char* name;
+  Imf::PixelType type;
+  std::size_t offset; ///< of the member in its pixel, bytes
+};
+constexpr Channel color_channels[] = {{"R", Imf::FLOAT, 0}, {"G", Imf::FLOAT, 4}, {"B", Imf::FLOAT, 8}};
+constexpr Channel depth_channels[] = {{"depth.Z", Imf::FLOAT, 0}};
+constexpr Channel normal_channels[] = {{"normal.X", Imf::FLOAT, 0}, {"normal.Y", Imf::FLOAT, 4}, {"normal.Z", Imf::FLOAT, 8}};
+constexpr Channel position_channels[] = {
+    {"position.X", Imf::FLOAT, 0}, {"position.Y", Imf::FLOAT, 4}, {"position.Z", Imf::FLOAT, 8}};
+constexpr Channel object_channels[] = {{"object.id", Imf::UINT, 0}};
+constexpr Channel albedo_channels[] = {{"albedo.R", Imf::FLOAT, 0}, {"albedo.G", Imf::FLOAT, 4}, {"albedo.B", Imf::FLOAT, 8}};
+
+/// Adds a slice for each channel to a frame buffer over `pixels`, whose first one stands at `origin` in the file.
+template <std::size_t N, class Pixel>
+void add_slices(Imf::FrameBuffer& frame, const Channel (&channels)[N], std::vector<Pixel>& pixels, int width,
+                Imath::V2i origin) {
+  for (const Channel& channel : channels) {
+    char* member = reinterpret_cast<char*>(pixels.data()) + channel.offset;
+    frame.insert(channel.name, Imf::Slice::Make(channel.type, member, origin, width, 1, sizeof(Pixel),
+                                                sizeof(Pixel) * static_cast<std::size_t>(width)));
+  }
+}
+
+template <std::size_t N> bool has_all(const Imf::ChannelList& list, const Channel (&channels)[N]) {
+  return std::all_of(std::begin(channels), std::end(channels),
+                     [&](const Channel& channel) { return list.findChannel(channel.name) != nullptr; });
+}
+
+/// Calls f(channels, pixels) for colour and for every layer of the film; `depth` stands for the film's own, which is double.
+template <class F> void for_each_layer(Film& film, std::vector<float>& depth, F&& f) {
+  f(depth_channels, depth);
+  f(normal_channels, film.normal);
+  f(position_channels, film.position);
+  f(object_channels, film.object_id);
+  f(albedo_channels, film.albedo);
+}
+
+} // namespace
+
+std::string encode_exr(const Film& film, const EncodeOptions& options) {
+  Imf::Header header(film.width, film.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [key, value] : options.text) header.insert(key, Imf::StringAttribute(value));
+
+  Imf::FrameBuffer frame;
+  const auto add = [&](const auto& channels, auto& pixels) {
+    for (const Channel& channel : channels) header.channels().insert(channel.name, Imf::Channel(channel.type));
+    add_slices(frame, channels, pixels, film.width, {0, 0});
+  };
+  // OpenEXR's slices are for reading too and so not const; writing leaves the film as it is.
+  Film& pixels = const_cast<Film&>(film);
+  std::vector<float> depth(film.depth.begin(), film.depth.end());
+  add(color_channels, pixels.color);
+  if (film.has_layers()) {
+    header.insert("depthMetric", Imf::StringAttribute("distance along the ray, infinite for a miss"));
+    for_each_layer(pixels, depth, add);
+  }
+
+  std::string bytes;
+  StringOutput output(bytes);
+  {
+    Imf::OutputFile file(output, header, 0);
+    file.setFrameBuffer(frame);
+    file.writePixels(film.height);
+  } // the table of line offsets is written when the file is closed
+  return bytes;
+}
+
+Image decode_exr(std::string_view bytes, const std::string& name) try {
+  StringInput input(bytes, name);
+  Imf::InputFile file(input, 0);
+  const Imf::ChannelList& list = file.header().channels();
+  const Imath::Box2i window = file.header().dataWindow();
+  const auto extent = [](int min, int max) { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, std::int64_t{max} - min + 1)); };
+  Image image = empty_image(extent(window.min.x, window.max.x), extent(window.min.y, window.max.y), 32, name);
+
+  Imf::FrameBuffer frame;
+  const bool is_grey = !has_all(list, color_channels) && list.findChannel("Y") != nullptr;
+  if (is_grey) {
+    constexpr Channel grey_channels[] = {{"Y", Imf::FLOAT, 0}};
+    add_slices(frame, grey_channels, image.color, image.width, window.min);
+  } else {
+    if (!has_all(list, color_channels)) throw std::runtime_error("it has neither the channels R, G and B nor Y");
+    add_slices(frame, color_channels, image.color, image.width, window.min);
+  }
+  bool has_layers = true;
+  std::vector<float> depth;
+  for_each_layer(image, depth, [&](const auto& channels, auto&) { has_layers &= has_all(list, channels); });
+  if (has_layers) {
+    for_each_layer(image, depth, [&](const auto& channels, auto& pixels) {
+      pixels.resize(image.color.size());
+      add_slices(frame, channels, pixels, image.width, window.min);
+    });
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+  image.depth.assign(depth.begin(), depth.end());
+  if (is_grey)
+    for (Rgb32& c : image.color) c.g = c.b = c.r;
+  return image;
+} catch (const std::exception& error) {
+  throw std::runtime_error(fmt::format("`{}` cannot be read: {}", name, error.what()));
+}
+
+} // namespace rt::image

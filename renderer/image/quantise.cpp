@@ -1,0 +1,41 @@
+#include "renderer/image/quantise.hpp"
+
+#include "renderer/math/color.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace rt {
+namespace {
+
+std::uint16_t by_formula(float linear, int maximum) {
+  if (!(linear > 0)) return 0; // also what is not a number
+  if (linear >= 1) return static_cast<std::uint16_t>(maximum);
+  return static_cast<std::uint16_t>(std::floor(linear_to_srgb(static_cast<double>(linear)) * maximum + 0.5));
+}
+
+} // namespace
+
+SrgbQuantiser::SrgbQuantiser(int bits) : bits_(bits) {
+  if (bits != 8) return;
+  for (std::size_t k = 0; k < 255; ++k) {
+    float v = static_cast<float>(srgb_to_linear((static_cast<double>(k) + 0.5) / 255));
+    while (by_formula(v, 255) > k) v = std::nextafter(v, 0.0f);
+    while (by_formula(v, 255) <= k) v = std::nextafter(v, 1.0f);
+    first_of_next_[k] = v;
+  }
+  first_of_next_[255] = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i <= buckets; ++i)
+    lowest_[i] = static_cast<std::uint8_t>(by_formula(static_cast<float>(i) / buckets, 255));
+}
+
+std::uint16_t SrgbQuantiser::operator()(float linear) const {
+  if (bits_ != 8) return by_formula(linear, 65535);
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 255;
+  std::size_t code = lowest_[static_cast<std::size_t>(linear * buckets)];
+  while (linear >= first_of_next_[code]) ++code;
+  return static_cast<std::uint16_t>(code);
+}
+
+} // namespace rt

@@ -1,0 +1,47 @@
+#include "tools/bench/scenes/describe.hpp"
+
+namespace rt::tools::bench {
+namespace {
+
+scene::MaterialId material_of(std::uint32_t finish) { return scene::MaterialId{finish}; }
+
+scene::Material material(const Finish& f) {
+  scene::Material m;
+  m.color = f.color;
+  m.ambient = grey(f.ambient);
+  m.diffuse = grey(f.diffuse);
+  m.specular = f.specular;
+  m.shininess = f.shininess;
+  m.reflect = grey(f.reflect);
+  m.refract = f.refract;
+  m.ior = f.ior;
+  return m;
+}
+
+} // namespace
+
+scene::Scene describe(const Layout& layout) {
+  scene::Scene scene;
+  scene.size = {picture_size, picture_size};
+  scene.background = layout.background;
+  scene.ambient = white;
+  scene.max_depth = mirror_depth;
+  scene.camera = {.at = layout.eye, .look_at = layout.target, .fov = layout.fov};
+  for (const PointLamp& lamp : layout.lamps) {
+    scene::PointLight light;
+    light.at = lamp.at;
+    light.color = lamp.color;
+    scene.lights.push_back({.source = light});
+  }
+  for (const Finish& f : layout.finishes) scene.materials.push_back(material(f));
+  const auto add = [&](auto shape, std::uint32_t finish, const Vec3& at = {}) {
+    scene.objects.push_back({.at = at, .shape = scene.shapes.add(std::move(shape)), .material = material_of(finish)});
+  };
+  for (const BallShape& s : layout.balls) add(scene::Sphere{s.radius}, s.finish, s.center);
+  for (const TubeShape& s : layout.tubes)
+    add(scene::Cylinder{.from = s.from, .to = s.to, .radius = s.radius, .open = true}, s.finish);
+  for (const TriangleShape& s : layout.triangles) add(scene::Triangle{.points = s.points}, s.finish);
+  return scene;
+}
+
+} // namespace rt::tools::bench

@@ -1,0 +1,275 @@
+#include "tools/povray/export.hpp"
+
+#include "tools/povray/export_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <tuple>
+
+namespace rt::tools::povray {
+namespace {
+
+using namespace rt::scene;
+
+// POV-Ray's own limit; a greater number is replaced by it.
+constexpr int most_trace_levels = 256;
+
+class Exporter {
+public:
+  Exporter(const Scene& scene, const ExportOptions& options)
+      : scene_(scene), options_(options), group_uses_(scene.shapes.all<Group>().size()),
+        combination_uses_(scene.shapes.all<Combination>().size()) {}
+
+  Exported run() {
+    for (const Object& object : scene_.objects) count_uses(object);
+    Writer objects = write_objects();
+    Writer out;
+    header(out);
+    if (options_.pass == Pass::depth) write_depth_functions(out, scene_.camera);
+    std::string text = out.take();
+    text += declarations_;
+    text += objects.take();
+    return {std::move(text), std::move(inexact_)};
+  }
+
+private:
+  // What an object takes from the composites around it.
+  struct Around {
+    MaterialId material = no_material; ///< the nearest enclosing one that is written
+    bool is_textured = false;          ///< a composite around it writes a texture in the exported text
+    bool in_solid = false;
+    bool in_shadowless = false;
+  };
+
+  void header(Writer& out) {
+    comment(out, "Exported from a rtlang scene for POV-Ray 3.7. Linear colours, one ray through each pixel's centre:");
+    comment(out, fmt::format("povray +Iscene.pov +W{} +H{} -A File_Gamma=1.0", scene_.size[0], scene_.size[1]));
+    if (scene_.samples > 1) {
+      comment(out, fmt::format("For its {} samples each pixel, render it that many times as large (the root of it each way)", scene_.samples));
+      comment(out, "and take the mean of each square of pixels.");
+    }
+    out.line("#version 3.7;");
+    if (scene_.max_depth + 1 > most_trace_levels)
+      inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}", most_trace_levels - 1,
+                                      scene_.max_depth), {}});
+    out.open("global_settings");
+    out.line("assumed_gamma 1.0");
+    out.line(fmt::format("max_trace_level {}", std::min(scene_.max_depth + 1, most_trace_levels)));
+    out.line("adc_bailout 0");
+    out.line("ambient_light " + rgb(scene_.ambient));
+    out.close();
+    if (options_.pass == Pass::color) out.line(fmt::format("background {{ {} }}", rgb(scene_.background)));
+    comment_origin(out, "camera", no_name, scene_.camera_origin);
+    write_camera(out, scene_.camera, scene_.size);
+  }
+
+  Writer write_objects() {
+    Writer out;
+    out.blank();
+    switch (options_.pass) {
+    case Pass::color:
+      // In a light group POV-Ray keeps no memory of the last blocker, which would make a shadow's edge depend on the
+      // pixels before it.
+      if (!scene_.lights.empty()) out.open("light_group");
+      for (const Light& light : scene_.lights) {
+        comment_origin(out, noun(light), light.name, light.origin);
+        write_light(out, light, scene_.camera);
+      }
+      objects(out, scene_.objects, {});
+      if (!scene_.lights.empty()) out.close("global_lights off");
+      break;
+    case Pass::ids: objects(out, scene_.objects, {.is_textured = true}); break;
+    case Pass::depth: everything(out, depth_texture); break;
+    case Pass::normals:
+      write_normal_lights(out);
+      everything(out, "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
+      break;
+    }
+    return out;
+  }
+
+  void everything(Writer& out, std::string_view texture) {
+    if (scene_.objects.empty()) return;
+    out.open("union");
+    objects(out, scene_.objects, {.is_textured = true});
+    out.close(texture);
+  }
+
+  void objects(Writer& out, const std::vector<Object>& list, const Around& around) {
+    for (const Object& o : list)
+      if (o.is_visible) object(out, o, around);
+  }
+
+  void object(Writer& out, const Object& o, const Around& around) {
+    comment_origin(out, noun(o.shape), o.name, o.origin);
+    Around inside = around;
+    std::string modifiers;
+    if (options_.pass == Pass::color) {
+      modifiers += surface(o, around, inside);
+      if (!o.casts_shadow && !around.in_shadowless) {
+        modifiers += " no_shadow";
+        inside.in_shadowless = true;
+      }
+    }
+    modifiers += transforms(placement_of(o));
+    if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
+    else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
+    else {
+      const Primitive p = primitive(scene_.shapes, o.shape);
+      const std::string id = options_.pass == Pass::ids ? " " + id_texture(++last_id_) : std::string{};
+      out.line(fmt::format("{} {{ {}{}{} }}", p.keyword, p.body, id, modifiers));
+    }
+  }
+
+  // The texture where the object is the one that says it, and the index of refraction where it is a solid of its own.
+  std::string surface(const Object& o, const Around& around, Around& inside) {
+    std::string text;
+    if (o.material != no_material) inside.material = o.material;
+    if (o.material != no_material || !around.is_textured) {
+      text += " texture { " + texture(o.material) + " }";
+      inside.is_textured = true;
+    }
+    if (around.in_solid || o.shape.kind == kind_of<Group>) return text;
+    if (o.shape.kind == kind_of<Combination>) {
+      const Material* medium = medium_of(o, inside.material);
+      return medium ? text + " " + interior(*medium) : text;
+    }
+    const Material& m = material(inside.material);
+    return needs_interior(m) ? text + " " + interior(m) : text;
+  }
+
+  // A combination is one medium: its own material's, else that of its leftmost refracting part.
+  const Material* medium_of(const Object& o, MaterialId inherited) const {
+    const MaterialId id = o.material != no_material ? o.material : inherited;
+    if (o.shape.kind != kind_of<Group> && o.shape.kind != kind_of<Combination>)
+      return needs_interior(material(id)) ? &material(id) : nullptr;
+    if (o.material != no_material && needs_interior(material(id))) return &material(id);
+    for (const Object& member : members(o.shape))
+      if (const Material* found = member.is_visible ? medium_of(member, id) : nullptr) return found;
+    return nullptr;
+  }
+
+  const std::vector<Object>& members(ShapeRef shape) const {
+    return shape.kind == kind_of<Group> ? scene_.shapes.get<Group>(shape).members
+                                        : scene_.shapes.get<Combination>(shape).operands;
+  }
+
+  void group(Writer& out, ShapeRef shape, const Around& inside, const std::string& modifiers) {
+    composite(out, inside.in_solid ? "merge" : "union", shape, inside, modifiers, group_uses_[shape.index]);
+  }
+
+  void combination(Writer& out, ShapeRef shape, Around inside, const std::string& modifiers) {
+    inside.in_solid = true;
+    composite(out, keyword(scene_.shapes.get<Combination>(shape).operation), shape, inside, modifiers,
+              combination_uses_[shape.index]);
+  }
+
+  static const char* keyword(Combination::Operation operation) {
+    switch (operation) {
+    case Combination::Operation::unite: return "merge";
+    case Combination::Operation::intersect: return "intersection";
+    case Combination::Operation::subtract: return "difference";
+    }
+    return "";
+  }
+
+  void composite(Writer& out, std::string_view word, ShapeRef shape, const Around& inside, const std::string& modifiers,
+                 std::uint32_t uses) {
+    // Ids tell instances apart: there every instance is written out.
+    if (uses > 1 && options_.pass != Pass::ids) {
+      out.line(fmt::format("object {{ {}{} }}", declared(word, shape, inside), modifiers));
+      return;
+    }
+    out.open(word);
+    objects(out, members(shape), inside);
+    out.close(modifiers.empty() ? modifiers : modifiers.substr(1));
+  }
+
+  // A shared composite is declared once for each way in which its surroundings reach into it.
+  std::string declared(std::string_view word, ShapeRef shape, const Around& inside) {
+    const auto key = std::tuple(shape.kind, shape.index, inside.material, inside.is_textured, inside.in_solid, inside.in_shadowless);
+    if (const auto known = shared_.find(key); known != shared_.end()) return known->second;
+    Writer out;
+    const std::string name = fmt::format("shared_{}", shared_.size() + 1);
+    shared_.emplace(key, name);
+    out.blank();
+    out.open(fmt::format("#declare {} = {}", name, word));
+    objects(out, members(shape), inside);
+    out.close();
+    declarations_ += out.take();
+    return name;
+  }
+
+  // The name of the declared texture of a material, which is written on first use.
+  std::string texture(MaterialId id) {
+    const std::string name = id == no_material ? "material_default" : fmt::format("material_{}", static_cast<std::uint32_t>(id) + 1);
+    if (!textures_.emplace(id, true).second) return name;
+    Writer out;
+    std::vector<std::string> problems;
+    out.blank();
+    write_texture(out, fmt::format("#declare {} = texture", name), scene_, material(id), problems);
+    for (std::string& problem : problems) inexact_.push_back({std::move(problem), current_});
+    declarations_ += out.take();
+    return name;
+  }
+
+  const Material& material(MaterialId id) const {
+    return id == no_material ? white_matte_ : scene_.materials[static_cast<std::size_t>(id)];
+  }
+
+  Placement placement_of(const Object& o) const {
+    Placement placement = o.turn == no_turn ? Placement{} : scene_.turns[static_cast<std::size_t>(o.turn)];
+    placement.at = o.at;
+    return placement;
+  }
+
+  void count_uses(const Object& o) {
+    const bool is_group = o.shape.kind == kind_of<Group>;
+    if (!o.is_visible || (!is_group && o.shape.kind != kind_of<Combination>)) return;
+    if (++(is_group ? group_uses_ : combination_uses_)[o.shape.index] > 1) return;
+    for (const Object& member : members(o.shape)) count_uses(member);
+  }
+
+  std::string_view noun(ShapeRef shape) const {
+    return scene_.shapes.visit(shape, [](const auto& s) { return std::remove_cvref_t<decltype(s)>::noun; });
+  }
+  static std::string_view noun(const Light& light) {
+    constexpr std::string_view nouns[] = {"light", "sun", "spot"};
+    return nouns[light.source.index()];
+  }
+
+  void comment(Writer& out, const std::string& text) const {
+    if (options_.comments) out.line("// " + comment_text(text));
+  }
+
+  void comment_origin(Writer& out, std::string_view noun, NameId name, Origin origin) {
+    current_ = origin;
+    if (!options_.comments) return;
+    std::string text = name == no_name ? std::string(noun) : scene_.names[static_cast<std::size_t>(name)];
+    if (const std::string place = place_text(scene_, origin); !place.empty()) text += ", " + place;
+    comment(out, text);
+  }
+
+  const Scene& scene_;
+  const ExportOptions& options_;
+  const Material white_matte_;
+  std::vector<std::uint32_t> group_uses_, combination_uses_;
+  std::string declarations_;
+  std::map<MaterialId, bool> textures_;
+  std::map<std::tuple<std::uint32_t, std::uint32_t, MaterialId, bool, bool, bool>, std::string> shared_;
+  std::vector<Inexact> inexact_;
+  Origin current_;
+  std::uint32_t last_id_ = 0;
+};
+
+} // namespace
+
+Exported export_povray(const Scene& scene, const ExportOptions& options) { return Exporter(scene, options).run(); }
+
+std::string place_text(const Scene& scene, Origin origin) {
+  if (origin.line == 0 || origin.file >= scene.files.size()) return {};
+  return fmt::format("{}:{}", scene.files[origin.file], origin.line);
+}
+
+} // namespace rt::tools::povray

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "renderer/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+/// A scene as POV-Ray 3.7 reads it. The exporter reads the description only: the steps, vectors and numbers as they were
+/// written. It shares no derived quantity with the renderer, because its purpose is to find the renderer's mistakes.
+namespace rt::tools::povray {
+
+/// What the exported scene shows. All passes place the same geometry.
+enum class Pass : std::uint8_t {
+  color,   ///< the scene itself
+  ids,     ///< the number of the first surface hit, see `decode_id`
+  depth,   ///< the distance to it, see `decode_depth`
+  normals, ///< its unit normal turned to the viewer, signed, as linear colour
+};
+
+struct ExportOptions {
+  Pass pass = Pass::color;
+  bool comments = true; ///< names and lines of the source
+};
+
+/// Something in the scene that POV-Ray cannot be made to compute exactly.
+struct Inexact {
+  std::string message;  ///< one sentence, without a full stop
+  scene::Origin origin; ///< line 0: the scene as a whole
+};
+
+struct Exported {
+  std::string text;
+  std::vector<Inexact> inexact; ///< empty: POV-Ray computes the same picture
+};
+
+/// The same text for the same description, on every machine.
+Exported export_povray(const scene::Scene& scene, const ExportOptions& options = {});
+
+/// The three channels of a pass's pixel as whole numbers of 16 bits, the value times 65535.
+struct Packed {
+  std::uint16_t r = 0, g = 0, b = 0;
+};
+/// The pixel of `Pass::ids`: 0 for a miss, else the primitive's number, from 1 in order of declaration (members of
+/// composites in their places, every instance counted).
+std::uint32_t decode_id(Packed pixel);
+/// The pixel of `Pass::depth`: the distance with a relative error of at most 2⁻⁴², infinite for a miss.
+double decode_depth(Packed pixel);
+
+/// `FILE:LINE` of what `origin` names; empty where it was not written.
+std::string place_text(const scene::Scene& scene, scene::Origin origin);
+
+} // namespace rt::tools::povray

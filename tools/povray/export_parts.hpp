@@ -1,0 +1,40 @@
+#pragma once
+
+#include "tools/povray/export.hpp"
+#include "tools/povray/sdl.hpp"
+
+#include <string>
+#include <vector>
+
+/// The parts of the exporter, each for one kind of description.
+namespace rt::tools::povray {
+
+/// POV-Ray drops whatever is farther away along a ray.
+inline constexpr double farthest_hit = 1e7;
+
+/// A primitive of POV-Ray: `keyword { body … }`.
+struct Primitive {
+  std::string keyword;
+  std::string body;
+};
+/// Of a shape that is no composite.
+Primitive primitive(const scene::Shapes& shapes, scene::ShapeRef shape);
+
+/// `head` is what stands before the brace: `texture` or `#declare name = texture`.
+void write_texture(Writer& out, const std::string& head, const scene::Scene& scene, const scene::Material& material,
+                   std::vector<std::string>& inexact);
+/// Whether surfaces of this material need to know the index of refraction.
+bool needs_interior(const scene::Material& material);
+std::string interior(const scene::Material& material);
+
+void write_light(Writer& out, const scene::Light& light, const scene::Camera& camera);
+void write_camera(Writer& out, const scene::Camera& camera, scene::Resolution size);
+
+/// Declarations that `Pass::depth` needs, and the texture that shows the distance from the camera.
+void write_depth_functions(Writer& out, const scene::Camera& camera);
+inline constexpr const char* depth_texture = "texture { distance_texture }";
+std::string id_texture(std::uint32_t id);
+/// Six lights without shadow: what is lit by them is the normal.
+void write_normal_lights(Writer& out);
+
+} // namespace rt::tools::povray

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <ctime>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::tools {
+
+/// Where the program keeps what outlives a run: $XDG_STATE_HOME/rtlang or ~/.local/state/rtlang, made if need be; empty
+/// where neither can be had.
+std::string state_folder();
+
+/// What was typed into a session, entry by entry, in a file of its own from which the session can be had again when the
+/// program was killed. Entries are written at once; the file is locked as long as its session lives. Where the file
+/// cannot be written the session goes on without.
+class Journal {
+public:
+  /// `folder` empty: no journal. The file is made with the first entry.
+  explicit Journal(std::string folder);
+  /// Leaves the file.
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  void add(std::string_view entry);
+  /// Forgets all entries, and the file.
+  void clear();
+  bool is_empty() const { return fd_ < 0; }
+
+private:
+  void open();
+
+  std::string folder_, path_;
+  int fd_ = -1;
+};
+
+/// A journal that no session holds any more.
+struct AbandonedSession {
+  std::string path;
+  std::string working_folder; ///< what relative paths in it start from
+  std::time_t time = 0;       ///< of the last entry
+  std::vector<std::string> entries;
+};
+
+/// The latest one in the folder; all but the five latest are deleted.
+std::optional<AbandonedSession> find_abandoned_session(const std::string& folder);
+
+} // namespace rt::tools

@@ -1,0 +1,324 @@
+#include "tools/repl/line_editor.hpp"
+
+#include "lang/utf8.hpp"
+#include "tools/repl/key_reader.hpp"
+#include "tools/repl/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <deque>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include <editline/readline.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace rt::tools {
+namespace {
+
+// Keys that no one types, for what libedit is to do at our word.
+enum PrivateKey : int {
+  key_enter = '\r',
+  key_tab = '\t',
+  key_interrupt_done = -1,
+  key_end_of_line = 0x05,
+  key_quote = 0x16,       // the next key is inserted as it is, also a newline
+  key_up = 0x1c,
+  key_down = 0x1d,
+  key_clear_screen = 0x0c,
+  key_accept = 0x81,      // beyond ASCII, but below what libedit inserts as text
+  key_previous_entry = 0x82,
+  key_next_entry = 0x83,
+  key_previous_row = 0x84,
+  key_next_row = 0x85,
+  key_next_char = 0x86,
+  key_kill_line = 0x87,
+};
+
+constexpr std::size_t longest_line = 64 * 1024; // in bytes; a longer text cannot be edited, only pasted
+
+void write_all(std::string_view text) {
+  std::fflush(stdout);
+  while (!text.empty()) {
+    const ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (n <= 0) return; // the terminal is gone, which reading will tell
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+bool is_on_first_row(std::string_view text, std::size_t cursor) {
+  return text.substr(0, cursor).find('\n') == std::string_view::npos;
+}
+bool is_on_last_row(std::string_view text, std::size_t cursor) {
+  return text.substr(cursor).find('\n') == std::string_view::npos;
+}
+
+std::string common_start(const std::vector<std::string>& words) {
+  std::string start = words.front();
+  for (const std::string& word : words) {
+    const auto differs = std::mismatch(start.begin(), start.end(), word.begin(), word.end()).first;
+    start.erase(differs, start.end());
+  }
+  return start;
+}
+
+// libedit takes \1 around what has no width.
+std::string mark_invisible(std::string_view prompt) {
+  std::string marked;
+  for (std::size_t i = 0; i < prompt.size(); ++i) {
+    if (prompt[i] != '\x1b') {
+      marked += prompt[i];
+      continue;
+    }
+    const std::size_t end = std::min(prompt.find('m', i), prompt.size() - 1);
+    marked += '\1';
+    marked += prompt.substr(i, end - i + 1);
+    marked += '\1';
+    i = end;
+  }
+  return marked;
+}
+
+} // namespace
+
+std::string indentation_after(std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      else if (c == '"' || c == '\n') in_string = false;
+    } else if (c == '"') in_string = true;
+    else if (c == '/' && text.substr(i, 2) == "//") i = std::min(text.find('\n', i), text.size());
+    else if (c == '{' || c == '[' || c == '(') ++depth;
+    else if (c == '}' || c == ']' || c == ')') depth = std::max(0, depth - 1);
+  }
+  return std::string(static_cast<std::size_t>(depth) * 2, ' ');
+}
+
+std::string in_columns(const std::vector<std::string>& words, std::size_t width) {
+  std::size_t longest = 0;
+  for (const std::string& word : words) longest = std::max(longest, word.size());
+  const std::size_t columns = std::max<std::size_t>(1, width / (longest + 2));
+  const std::size_t rows = (words.size() + columns - 1) / columns;
+  std::string out;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = row; i < words.size(); i += rows) {
+      out += words[i];
+      if (i + rows < words.size()) out += std::string(longest + 2 - words[i].size(), ' ');
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+// Feeds libedit: what is typed, and in the place of Enter, Tab and the arrows whatever keys have the wanted effect.
+// libedit's callbacks carry no context, hence the one pointer.
+class LineEditor::Keys {
+public:
+  explicit Keys(LineEditorHooks hooks) : hooks_(std::move(hooks)), reader_(hooks_.wake_fd) {
+    current = this;
+    rl_readline_name = "rtlang";
+    rl_catch_signals = 0;
+    rl_getc_function = [](FILE*) { return current->next(); };
+    rl_initialize();
+    bind();
+    reserve();
+  }
+  ~Keys() { current = nullptr; }
+
+  void begin() {
+    queue_.clear();
+    paste_.reset();
+    end_ = End::end_of_input; // unless something else ends it
+  }
+  End end() const { return end_; }
+  std::optional<std::string> take_paste() { return std::exchange(paste_, std::nullopt); }
+
+private:
+  static inline Keys* current = nullptr;
+
+  static void bind() {
+    rl_add_defun("rtlang-enter", [](int, int) { return current->enter(); }, key_enter);
+    rl_add_defun("rtlang-complete", [](int, int) { return current->complete(); }, key_tab);
+    rl_add_defun("rtlang-up", [](int, int) { return current->up(); }, key_up);
+    rl_add_defun("rtlang-down", [](int, int) { return current->down(); }, key_down);
+    for (const char* line : {"bind '\\201' ed-newline", "bind '\\202' ed-prev-history", "bind '\\203' ed-next-history",
+                             "bind '\\204' ed-prev-line", "bind '\\205' ed-next-line", "bind '\\206' ed-next-char",
+                             "bind '\\207' em-kill-line"})
+      rl_parse_and_bind(line);
+  }
+
+  // libedit keeps a pointer into a buffer that grows without telling (its `rl_line_buffer`). So it grows now, to the
+  // longest line that is let in: the second insertion makes libedit look up where the first one's text went.
+  static void reserve() {
+    const std::string filler(longest_line, ' ');
+    rl_insert_text(filler.c_str());
+    rl_insert_text((filler + filler).c_str());
+    rl_delete_text(0, static_cast<int>(3 * longest_line));
+  }
+
+  std::string_view text() const { return {rl_line_buffer, static_cast<std::size_t>(rl_end)}; }
+  std::size_t cursor() const { return static_cast<std::size_t>(rl_point); }
+
+  void type(int key) { queue_.push_back(key); }
+  void type_text(std::string_view text) {
+    while (!text.empty()) {
+      const lang::Character c = lang::decode(text);
+      if (c.code_point < 0x20) type(key_quote);
+      type(static_cast<int>(c.code_point));
+      text.remove_prefix(c.bytes);
+    }
+  }
+
+  int next() {
+    while (queue_.empty()) {
+      const Key key = reader_.read();
+      if (key.kind != Key::Kind::wake && key.kind != Key::Kind::resize && hooks_.on_key) hooks_.on_key();
+      take(key);
+    }
+    const int key = queue_.front();
+    queue_.pop_front();
+    return key;
+  }
+
+  void take(const Key& key) {
+    switch (key.kind) {
+    case Key::Kind::character:
+      if (static_cast<std::size_t>(rl_end) + 8 > longest_line) write_all("\a");
+      else type(key.code == '\n' ? key_enter : static_cast<int>(key.code));
+      break;
+    case Key::Kind::up: type(key_up); break;
+    case Key::Kind::down: type(key_down); break;
+    case Key::Kind::new_row: type_text("\n"); break;
+    case Key::Kind::paste: take_pasted(key.text); break;
+    case Key::Kind::interrupt:
+      end_ = End::interrupted;
+      type(key_end_of_line);
+      type(key_interrupt_done);
+      break;
+    case Key::Kind::end: type(key_interrupt_done); break;
+    case Key::Kind::resize:
+      rl_resize_terminal();
+      redraw("");
+      break;
+    case Key::Kind::wake: wake(); break;
+    }
+  }
+
+  // What fits the screen goes into the line, to be looked at and edited; more than that is taken as it is.
+  void take_pasted(std::string_view pasted) {
+    while (!pasted.empty() && (pasted.back() == '\n' || pasted.back() == ' ')) pasted.remove_suffix(1);
+    const auto rows = std::count(pasted.begin(), pasted.end(), '\n');
+    if (pasted.size() < 4096 && rows + 3 < terminal_size().rows) return type_text(pasted);
+    paste_ = std::string(pasted);
+    end_ = End::line;
+    type(key_end_of_line);
+    type(key_interrupt_done);
+  }
+
+  void wake() {
+    if (!hooks_.on_wake) return;
+    const std::string shown = hooks_.on_wake();
+    if (shown.empty()) return;
+    redraw(shown);
+  }
+
+  // The prompt and the line again, after what is written above them.
+  static void redraw(std::string_view above) {
+    write_all("\r\x1b[J" + std::string(above));
+    rl_forced_update_display();
+  }
+
+  int enter() {
+    const std::string_view line = text();
+    if (!hooks_.is_complete || hooks_.is_complete(line)) {
+      end_ = End::line;
+      type(key_accept);
+    } else {
+      type_text("\n");
+      if (!reader_.has_more() && cursor() == line.size()) type_text(indentation_after(line));
+    }
+    return 0;
+  }
+
+  int complete() {
+    if (!hooks_.complete) return 0;
+    if (reader_.has_more()) { // pasted, or typed by a program: no one waits for a completion
+      type_text(" ");
+      return 0;
+    }
+    const Completion found = hooks_.complete(text(), cursor());
+    if (found.words.empty()) {
+      write_all("\a");
+      return 0;
+    }
+    const std::string start = common_start(found.words);
+    const std::size_t typed = cursor() - found.begin;
+    if (start.size() > typed) {
+      type_text(std::string_view(start).substr(typed));
+    } else if (found.words.size() > 1) {
+      write_all("\r\n\x1b[J" + in_columns(found.words, static_cast<std::size_t>(terminal_size().columns)));
+      rl_forced_update_display();
+    }
+    return 0;
+  }
+
+  int up() {
+    type(is_on_first_row(text(), cursor()) ? key_previous_entry : key_previous_row);
+    return 0;
+  }
+  int down() {
+    type(is_on_last_row(text(), cursor()) ? key_next_entry : key_next_row);
+    return 0;
+  }
+
+  LineEditorHooks hooks_;
+  KeyReader reader_;
+  std::deque<int> queue_;
+  std::optional<std::string> paste_;
+  End end_ = End::end_of_input;
+};
+
+LineEditor::LineEditor(LineEditorHooks hooks, std::string history_path)
+    : keys_(std::make_unique<Keys>(std::move(hooks))), history_path_(std::move(history_path)) {
+  using_history();
+  if (history_path_.empty()) return;
+  read_history(history_path_.c_str());
+  constexpr int most_entries = 5000;
+  if (history_length > most_entries) {
+    stifle_history(most_entries);
+    write_history(history_path_.c_str());
+    unstifle_history();
+  }
+}
+
+LineEditor::~LineEditor() = default;
+
+LineEditor::Line LineEditor::read(std::string_view prompt) {
+  keys_->begin();
+  const BracketedPaste pasting;
+  char* typed = readline(mark_invisible(prompt).c_str());
+  Line line{keys_->end(), typed ? typed : ""};
+  std::free(typed);
+  if (auto paste = keys_->take_paste()) line.text += *paste;
+  if (line.end != End::line) {
+    write_all(line.end == End::interrupted ? "^C\r\n" : "\r\n");
+    return line;
+  }
+  const bool is_worth_keeping = line.text.find_first_not_of(" \t\n") != std::string::npos;
+  if (is_worth_keeping && line.text.size() < longest_line) {
+    const HIST_ENTRY* last = history_length > 0 ? history_get(history_base + history_length - 1) : nullptr;
+    if (!last || line.text != last->line) {
+      add_history(line.text.c_str());
+      if (!history_path_.empty()) append_history(1, history_path_.c_str());
+    }
+  }
+  return line;
+}
+
+} // namespace rt::tools

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::tools {
+
+/// What could stand in the place of the word before the cursor.
+struct Completion {
+  std::size_t begin = 0;          ///< where that word begins in the text, in bytes
+  std::vector<std::string> words; ///< whole words, sorted
+};
+
+/// What the editor asks its owner while a line is typed.
+struct LineEditorHooks {
+  /// Whether Enter accepts the text; otherwise it begins another line of it.
+  std::function<bool(std::string_view text)> is_complete;
+  std::function<Completion(std::string_view text, std::size_t cursor)> complete;
+  /// Before every key.
+  std::function<void()> on_key;
+  /// When `wake_fd` (-1: none) becomes readable while the editor waits for a key: reads from it, and returns what to write
+  /// above the prompt.
+  int wake_fd = -1;
+  std::function<std::string()> on_wake;
+};
+
+/// Lines typed at a terminal, edited with the usual keys, with history and completion; a line may be several rows of text.
+/// At most one editor exists at a time: libedit's readline interface keeps its state in globals.
+class LineEditor {
+public:
+  enum class End { line, interrupted, end_of_input };
+  struct Line {
+    End end = End::line;
+    std::string text; ///< without the final newline
+  };
+
+  /// Takes standard input and output, which must be a terminal. History is read from `history_path` (empty: none) and each
+  /// line is added to it as soon as it is accepted, so that a killed program loses none.
+  LineEditor(LineEditorHooks hooks, std::string history_path);
+  ~LineEditor();
+  LineEditor(const LineEditor&) = delete;
+  LineEditor& operator=(const LineEditor&) = delete;
+
+  /// `prompt` may hold escape sequences of colour (ESC [ … m).
+  Line read(std::string_view prompt);
+
+private:
+  class Keys;
+  std::unique_ptr<Keys> keys_;
+  std::string history_path_;
+};
+
+/// The spaces to begin a new row with after `text`: two for every bracket that is open.
+std::string indentation_after(std::string_view text);
+
+/// How the words are laid out in columns for a terminal of that width; ends with a newline.
+std::string in_columns(const std::vector<std::string>& words, std::size_t width);
+
+} // namespace rt::tools

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tools/rtlang/subcommand.hpp"
+
+/// The subcommands' declarations, each in a file of its own (`render_command.cpp`, …).
+namespace rt::tools {
+
+Action declare_render(CLI::App& app);
+Action declare_ast(CLI::App& app);
+Action declare_scene(CLI::App& app);
+Action declare_explain(CLI::App& app);
+
+} // namespace rt::tools

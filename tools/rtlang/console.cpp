@@ -1,0 +1,30 @@
+#include "tools/rtlang/console.hpp"
+
+#include "renderer/image/file.hpp"
+
+#include <cstdlib>
+#include <exception>
+
+#include <unistd.h>
+
+namespace rt::tools {
+
+void print(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
+
+void print_error(std::string_view text) noexcept {
+  try {
+    write_all(STDERR_FILENO, text, "standard error");
+  } catch (const std::exception&) {
+  }
+}
+
+bool error_is_terminal() { return ::isatty(STDERR_FILENO) != 0; }
+
+bool error_takes_color() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  if (no_color != nullptr && *no_color != '\0') return false;
+  return error_is_terminal() && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+} // namespace rt::tools

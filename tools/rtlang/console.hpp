@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+namespace rt::tools {
+
+/// Writes to standard output, all of it at once. Throws std::system_error.
+void print(std::string_view text);
+/// Writes to standard error; that it fails is nothing one could tell anybody.
+void print_error(std::string_view text) noexcept;
+
+bool error_is_terminal();
+/// Standard error is a terminal that knows colours and NO_COLOR is not set (see no-color.org).
+bool error_takes_color();
+
+} // namespace rt::tools

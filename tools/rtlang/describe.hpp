@@ -1,0 +1,238 @@
+#pragma once
+
+#include "renderer/scene/scene.hpp"
+
+#include <type_traits>
+
+/// The walk over a scene's description that its JSON and its hash share. Properties come from the field tables of
+/// renderer/scene and renderer/shapes: a new one appears by itself, and a new kind of step, paint or light that is not
+/// handled here does not compile.
+///
+/// A `Sink` has begin_object, end_object, begin_array, end_array, key(name), number(double), boolean(bool), string(text)
+/// and `has_origins`, which says whether it wants to know where things were written.
+namespace rt::tools {
+
+template <class Sink> class Describer {
+public:
+  Describer(const scene::Scene& scene, Sink& sink) : scene_(scene), sink_(sink) {}
+
+  void scene() {
+    sink_.begin_object();
+    fields(scene::fields(&scene_), &scene_);
+    sink_.key("camera");
+    sink_.begin_object();
+    fields(scene::fields(&scene_.camera), &scene_.camera);
+    origin(scene_.camera_origin);
+    sink_.end_object();
+    list("lights", scene_.lights, [this](const scene::Light& l) { light(l); });
+    list("materials", scene_.materials, [this](const scene::Material& m) {
+      sink_.begin_object();
+      fields(scene::material_fields(), &m);
+      sink_.end_object();
+    });
+    list("patterns", scene_.patterns, [this](const scene::Pattern& p) { pattern(p); });
+    list("groups", scene_.shapes.template all<scene::Group>(), [this](const scene::Group& g) {
+      sink_.begin_object();
+      list("members", g.members, [this](const scene::Object& o) { object(o); });
+      sink_.end_object();
+    });
+    list("combinations", scene_.shapes.template all<scene::Combination>(), [this](const scene::Combination& c) {
+      sink_.begin_object();
+      text("operation", name_of(c.operation));
+      list("operands", c.operands, [this](const scene::Object& o) { object(o); });
+      sink_.end_object();
+    });
+    list("objects", scene_.objects, [this](const scene::Object& o) { object(o); });
+    sink_.end_object();
+  }
+
+private:
+  void text(std::string_view key, std::string_view value) {
+    sink_.key(key);
+    sink_.string(value);
+  }
+  void number(std::string_view key, double value) {
+    sink_.key(key);
+    sink_.number(value);
+  }
+  void vector(const Vec3& v) { numbers({v.x, v.y, v.z}); }
+  void vector(std::string_view key, const Vec3& v) {
+    sink_.key(key);
+    vector(v);
+  }
+  void numbers(std::initializer_list<double> values) {
+    sink_.begin_array();
+    for (const double value : values) sink_.number(value);
+    sink_.end_array();
+  }
+  template <class T, class F> void list(std::string_view key, const std::vector<T>& items, F&& f) {
+    sink_.key(key);
+    sink_.begin_array();
+    for (const T& item : items) f(item);
+    sink_.end_array();
+  }
+
+  void fields(std::span<const scene::Field> table, const void* owner) {
+    for (const scene::Field& field : table) {
+      const std::optional<scene::FieldValue> value = field.get(owner);
+      if (!value) continue;
+      sink_.key(field.name);
+      std::visit([&](const auto& v) { this->value(field, v); }, *value);
+    }
+  }
+
+  void value(const scene::Field&, double v) { sink_.number(v); }
+  void value(const scene::Field&, bool v) { sink_.boolean(v); }
+  void value(const scene::Field&, const Vec3& v) { vector(v); }
+  void value(const scene::Field&, const Color& c) { numbers({c.r, c.g, c.b}); }
+  void value(const scene::Field&, const scene::Resolution& r) {
+    numbers({static_cast<double>(r[0]), static_cast<double>(r[1])});
+  }
+  void value(const scene::Field& field, const scene::Choice& c) {
+    sink_.string(field.choices[static_cast<std::size_t>(c.index)]);
+  }
+  void value(const scene::Field&, const std::vector<Vec3>& points) {
+    sink_.begin_array();
+    for (const Vec3& point : points) vector(point);
+    sink_.end_array();
+  }
+  void value(const scene::Field& field, const scene::Paint& paint) {
+    if (const Color* color = std::get_if<Color>(&paint)) return value(field, *color);
+    sink_.begin_object();
+    number("pattern", static_cast<double>(std::get<scene::PatternId>(paint)));
+    sink_.end_object();
+  }
+  void value(const scene::Field&, const scene::Fade& fade) {
+    sink_.begin_object();
+    text("law", name_of(fade.law));
+    number("distance", fade.distance);
+    sink_.end_object();
+  }
+
+  static std::string_view name_of(scene::Fade::Law law) {
+    switch (law) {
+    case scene::Fade::Law::none: return "none";
+    case scene::Fade::Law::linear: return "linear";
+    case scene::Fade::Law::quadratic: return "quadratic";
+    case scene::Fade::Law::inverse_square: return "inverse_square";
+    }
+    return "";
+  }
+  static std::string_view name_of(scene::Combination::Operation operation) {
+    switch (operation) {
+    case scene::Combination::Operation::unite: return "union";
+    case scene::Combination::Operation::intersect: return "intersection";
+    case scene::Combination::Operation::subtract: return "difference";
+    }
+    return "";
+  }
+  static std::string_view name_of(scene::PatternKind kind) {
+    switch (kind) {
+    case scene::PatternKind::checker: return "checker";
+    }
+    return "";
+  }
+  static std::string_view name_of(const scene::LightSource& source) {
+    struct {
+      std::string_view operator()(const scene::PointLight&) const { return "light"; }
+      std::string_view operator()(const scene::SunLight&) const { return "sun"; }
+      std::string_view operator()(const scene::SpotLight&) const { return "spot"; }
+    } name;
+    return std::visit(name, source);
+  }
+
+  void members(const scene::ScaleStep& s) { vector("scale", s.factors), vector("about", s.about); }
+  void members(const scene::RotateStep& s) { vector("rotate", s.degrees), vector("about", s.about); }
+  void members(const scene::RotateAxisStep& s) {
+    number("rotate", s.degrees), vector("axis", s.axis), vector("about", s.about);
+  }
+  void members(const scene::MoveStep& s) { vector("move", s.offset); }
+  void members(const scene::ShearStep& s) {
+    sink_.key("shear");
+    sink_.begin_object();
+    number("xy", s.xy), number("xz", s.xz), number("yx", s.yx), number("yz", s.yz), number("zx", s.zx), number("zy", s.zy);
+    sink_.end_object();
+    vector("about", s.about);
+  }
+  void members(const scene::MirrorStep& s) { vector("mirror", s.normal), vector("about", s.about); }
+  void members(const scene::MatrixStep& s) {
+    sink_.key("matrix");
+    sink_.begin_array(); // four columns: what x, y and z become, and the translation
+    for (const Vec3* column : {&s.matrix.x, &s.matrix.y, &s.matrix.z, &s.matrix.translation}) vector(*column);
+    sink_.end_array();
+  }
+
+  void chain(const std::vector<scene::Step>& steps) {
+    if (steps.empty()) return;
+    list("chain", steps, [this](const scene::Step& step) {
+      sink_.begin_object();
+      std::visit([this](const auto& s) { this->members(s); }, step);
+      sink_.end_object();
+    });
+  }
+  void placement(const scene::Placement& p) {
+    vector("scale", p.scale), vector("rotate", p.rotate), vector("at", p.at);
+    chain(p.chain);
+  }
+
+  void name(scene::NameId id) {
+    if (id != scene::no_name) text("name", scene_.names[static_cast<std::size_t>(id)]);
+  }
+  void origin(const scene::Origin& from) {
+    if constexpr (Sink::has_origins) {
+      if (from.line == 0 || from.file >= scene_.files.size()) return;
+      text("file", scene_.files[from.file]);
+      number("line", from.line);
+    }
+  }
+
+  void light(const scene::Light& l) {
+    sink_.begin_object();
+    text("light", name_of(l.source));
+    std::visit([this](const auto& source) { fields(scene::fields(&source), &source); }, l.source);
+    chain(l.chain);
+    if (!l.enclosing.empty()) {
+      list("enclosing", l.enclosing, [this](const scene::Placement& p) {
+        sink_.begin_object();
+        placement(p);
+        sink_.end_object();
+      });
+    }
+    name(l.name);
+    origin(l.origin);
+    sink_.end_object();
+  }
+
+  void pattern(const scene::Pattern& p) {
+    sink_.begin_object();
+    text("pattern", name_of(p.kind));
+    fields(scene::pattern_fields(), &p);
+    placement(p.placement);
+    sink_.end_object();
+  }
+
+  void object(const scene::Object& o) {
+    sink_.begin_object();
+    scene_.shapes.visit(o.shape, [&](const auto& shape) {
+      using Shape = std::decay_t<decltype(shape)>;
+      text("shape", Shape::noun);
+      // Groups and combinations may be shared: they stand in lists of their own.
+      if constexpr (std::is_same_v<Shape, scene::Group> || std::is_same_v<Shape, scene::Combination>)
+        number("index", o.shape.index);
+      else fields(scene::fields(&shape), &shape);
+    });
+    if (o.turn != scene::no_turn) placement(scene::placement(scene_, o));
+    else vector("at", o.at);
+    if (o.material != scene::no_material) number("material", static_cast<double>(o.material));
+    name(o.name);
+    if (!o.is_visible) sink_.key("visible"), sink_.boolean(false);
+    if (!o.casts_shadow) sink_.key("casts_shadow"), sink_.boolean(false);
+    origin(o.origin);
+    sink_.end_object();
+  }
+
+  const scene::Scene& scene_;
+  Sink& sink_;
+};
+
+} // namespace rt::tools

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <atomic>
+
+namespace rt::tools {
+
+/// From now on SIGINT and SIGTERM only set the flag that `stop_flag` returns, the first time; a second signal ends the
+/// program at once. A pipe whose reader is gone no longer kills, but makes writing fail.
+void listen_to_signals();
+
+/// Whether a signal has asked the program to stop. To be handed to whatever may take long.
+const std::atomic<bool>& stop_flag();
+/// The signal that asked, 0 if none did.
+int stop_signal();
+
+/// Throws Interrupted if a signal has asked the program to stop.
+void throw_if_stopped();
+
+} // namespace rt::tools

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt::tools {
+
+/// The whole program: reads the command line (without the program's name), does what it says and returns the exit code.
+/// Errors are told on standard error.
+int run(std::vector<std::string> arguments);
+
+} // namespace rt::tools

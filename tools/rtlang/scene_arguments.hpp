@@ -1,0 +1,54 @@
+#pragma once
+
+#include "lang/load.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace rt::tools {
+
+/// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --quiet and --diagnostics.
+struct SceneArguments {
+  std::string path; ///< "-" is standard input
+  std::vector<std::string> defines;
+  lang::LoadOptions options; ///< without the defines
+  bool is_quiet = false;
+  bool json_diagnostics = false;
+};
+
+std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app);
+
+/// SCENE and --diagnostics alone, for what looks at the text only.
+std::shared_ptr<SceneArguments> add_text_arguments(CLI::App& app);
+
+/// The name under which diagnostics show the scene, and its text. Throws as `load` does.
+std::string shown_name(const SceneArguments& arguments);
+std::string read_text(const SceneArguments& arguments);
+
+/// Writes diagnostics to standard error: notes in a line each unless quiet, all of them as one array if JSON is wanted.
+void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMap& sources, const SceneArguments& arguments);
+
+/// Text to scene description, with the diagnostics on standard error. Where one of them is an error, `scene` is empty and
+/// the exit code is exit_scene_is_wrong. Throws Interrupted when a signal asked to stop, UsageError for a define without `=`, std::system_error for a scene that
+/// cannot be read.
+lang::Loaded load(const SceneArguments& arguments);
+
+/// What overrides the scene's own settings: --size, --samples and --max-depth.
+struct PictureArguments {
+  std::string size; ///< "WxH", or empty
+  std::optional<int> samples;
+  std::optional<int> max_depth;
+};
+
+std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app);
+
+/// Puts the overrides into the scene. Throws UsageError for what the scene's fields do not allow.
+void apply(const PictureArguments& arguments, scene::Scene& scene);
+
+} // namespace rt::tools

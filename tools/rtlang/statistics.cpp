@@ -1,0 +1,100 @@
+#include "tools/rtlang/statistics.hpp"
+
+#include "tools/rtlang/help.hpp"
+#include "tools/rtlang/quantity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace rt::tools {
+namespace {
+
+struct Process {
+  double user_seconds, system_seconds;
+  std::uint64_t peak_bytes;
+};
+
+Process process() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+  };
+  return {seconds(usage.ru_utime), seconds(usage.ru_stime), static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
+double rays_per_second(const RenderStatistics& render) {
+  return render.trace_seconds > 0 ? static_cast<double>(count_rays(render)) / render.trace_seconds : 0;
+}
+
+std::string seconds(double value) { return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1); }
+
+} // namespace
+
+std::uint64_t count_rays(const RenderStatistics& s) {
+  return s.camera_rays + s.shadow_rays + s.reflected_rays + s.refracted_rays;
+}
+
+std::string summary(const RunStatistics& s) {
+  return fmt::format("{}: {}×{}, {} primitives, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
+                     s.height, human(static_cast<double>(s.render.primitives)),
+                     human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
+                     human(rays_per_second(s.render)), seconds(s.total_seconds));
+}
+
+std::string table(const RunStatistics& s) {
+  const Process own = process();
+  const RenderStatistics& r = s.render;
+  const auto count = [](std::uint64_t n) { return human(static_cast<double>(n)); };
+  std::string text;
+  const auto row = [&](std::string_view name, const std::string& value) { text += fmt::format("{:<12}{}\n", name, value); };
+  row("scene", fmt::format("{} (hash {}), {} primitives", s.scene, s.scene_hash, count(r.primitives)));
+  row("picture", fmt::format("{}×{}, {} samples: {}", s.width, s.height, s.samples, fmt::join(s.outputs, ", ")));
+  row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
+                          count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
+  row("speed", fmt::format("{} rays/s on {} threads", human(rays_per_second(r)), r.threads));
+  row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({}B of text, {} steps)", seconds(s.load_seconds),
+                          seconds(s.load.parse_seconds), seconds(s.load.check_seconds), seconds(s.load.evaluate_seconds),
+                          count(s.load.bytes), count(s.load.steps)));
+  row("render", fmt::format("build {}, trace {}", seconds(r.build_seconds), seconds(r.trace_seconds)));
+  row("write", seconds(s.write_seconds));
+  row("total", fmt::format("{} (CPU: {} user, {} system)", seconds(s.total_seconds), seconds(own.user_seconds),
+                           seconds(own.system_seconds)));
+  row("memory", fmt::format("{}B at the most", count(own.peak_bytes)));
+  return text;
+}
+
+std::string json(const RunStatistics& s) {
+  const Process own = process();
+  const RenderStatistics& r = s.render;
+  nlohmann::ordered_json j;
+  j["program"] = fmt::format("rtlang {}", version_number());
+  j["scene"] = s.scene;
+  j["scene_hash"] = s.scene_hash;
+  j["outputs"] = s.outputs;
+  j["width"] = s.width;
+  j["height"] = s.height;
+  j["samples"] = s.samples;
+  j["is_complete"] = s.is_complete;
+  j["primitives"] = r.primitives;
+  j["threads"] = r.threads;
+  j["rays"] = {{"camera", r.camera_rays},
+               {"shadow", r.shadow_rays},
+               {"reflected", r.reflected_rays},
+               {"refracted", r.refracted_rays},
+               {"total", count_rays(r)}};
+  j["rays_per_second"] = rays_per_second(r);
+  j["source_bytes"] = s.load.bytes;
+  j["steps"] = s.load.steps;
+  j["seconds"] = {{"parse", s.load.parse_seconds}, {"check", s.load.check_seconds}, {"evaluate", s.load.evaluate_seconds},
+                  {"load", s.load_seconds},        {"build", r.build_seconds},      {"trace", r.trace_seconds},
+                  {"write", s.write_seconds},      {"total", s.total_seconds},      {"cpu_user", own.user_seconds},
+                  {"cpu_system", own.system_seconds}};
+  j["peak_memory_bytes"] = own.peak_bytes;
+  // A scene's name need not be UTF-8.
+  return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+} // namespace rt::tools

@@ -1,0 +1,23 @@
+#include "tools/rtlang/subcommand.hpp"
+
+#include "tools/rtlang/commands.hpp"
+
+namespace rt::tools {
+
+std::span<const Subcommand> subcommands() {
+  static constexpr Subcommand table[] = {
+      {"render", "SCENE [-o PICTURE]... [OPTIONS]", "makes a picture (the command's name may be left out)", declare_render},
+      {"ast", "SCENE", "prints the syntax tree", declare_ast},
+      {"scene", "SCENE [OPTIONS]", "prints the scene's description as JSON", declare_scene},
+      {"explain", "[CODE]", "explains an error's code, or lists all codes", declare_explain},
+  };
+  return table;
+}
+
+const Subcommand* find_subcommand(std::string_view name) {
+  for (const Subcommand& subcommand : subcommands())
+    if (subcommand.name == name) return &subcommand;
+  return nullptr;
+}
+
+} // namespace rt::tools

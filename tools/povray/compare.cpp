@@ -73,6 +73,7 @@ private:
       result_.ids_unexplained += !is_explained(o.cause);
     }
     if (!is_equal) {
+      o.is_traced_again = true;
       o.again = retracer_.color(x, y);
       if (!shots_.is_float) o.again = clamped(o.again);
       const bool agrees = color_difference(o.again, o.theirs) <= gates_.color;

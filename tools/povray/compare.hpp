@@ -48,7 +48,8 @@ struct Outlier {
   double normal_error = 0; ///< radians
   double color_error = 0;  ///< as for `Gates::color`
   Rgb32 ours, theirs;
-  Rgb32 again{}; ///< for `tolerance`: our colour with POV-Ray's limits
+  bool is_traced_again = false;
+  Rgb32 again{}; ///< our colour with POV-Ray's limits, where that was needed
 };
 
 struct Comparison {

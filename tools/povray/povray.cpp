@@ -1,11 +1,13 @@
 #include "tools/povray/povray.hpp"
 
+#include "renderer/image/file.hpp"
+#include "renderer/image/image.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -24,11 +26,6 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // POV-Ray's output begins with pages of credits; what it says about the scene starts where it parses.
@@ -67,18 +64,14 @@ Picture render(const std::string& text, int width, int height, const RunOptions&
   std::filesystem::create_symlink("state", folder.path() / "scene.pov-state");
   run(folder, text, width, height, options);
 
-  Picture picture{width, height, {}, {}, false};
-  std::optional<std::vector<Packed>> packed = read_ppm16(read_file(folder.path() / "scene.ppm"), width, height);
-  if (!packed) throw Failed("POV-Ray left no picture of 16 bits in the size that was asked for");
-  picture.packed = std::move(*packed);
-  if (std::optional<std::vector<Rgb32>> state = read_render_state(read_file(folder.path() / "state"), width, height)) {
+  const Image file = read_image((folder.path() / "scene.ppm").string(), Transfer::linear);
+  if (file.width != width || file.height != height || file.bits != 16)
+    throw Failed("POV-Ray left no picture of 16 bits in the size that was asked for");
+  Picture picture{width, height, file.color, to_16_bits(file.color), false};
+  if (std::optional<std::vector<Rgb32>> state = read_render_state(rt::read_file((folder.path() / "state").string()), width, height)) {
     picture.color = std::move(*state);
     picture.is_float = true;
-    return picture;
   }
-  picture.color.reserve(picture.packed.size());
-  const auto value = [](std::uint16_t v) { return static_cast<float>(v / 65535.0); };
-  for (const Packed& p : picture.packed) picture.color.push_back({value(p.r), value(p.g), value(p.b)});
   return picture;
 }
 
@@ -88,7 +81,7 @@ std::string run_script(const std::string& text, const std::vector<ScriptFile>& i
   for (const ScriptFile& file : inputs) write_file(folder.path() / file.name, file.text);
   run(folder, text, 1, 1, options);
   if (!std::filesystem::exists(folder.path() / output)) throw Failed("POV-Ray did not write " + output);
-  return read_file(folder.path() / output);
+  return rt::read_file((folder.path() / output).string());
 }
 
 std::string version() {

@@ -50,8 +50,8 @@ bool is_installed();
 /// The pictures of POV-Ray's render-state file: linear float, neither clamped nor rounded. Nothing if the bytes are not
 /// such a file or do not cover the picture.
 std::optional<std::vector<Rgb32>> read_render_state(const std::string& bytes, int width, int height);
-/// A binary PPM with 16 bits a channel. Nothing if it is anything else.
-std::optional<std::vector<Packed>> read_ppm16(const std::string& bytes, int width, int height);
+/// Rounded to whole numbers, what is outside [0, 1] clamped.
+std::vector<Packed> to_16_bits(const std::vector<Rgb32>& color);
 
 /// Calls `work(0)` … `work(count − 1)` on up to `at_once` threads, for work that mostly waits. An exception ends the whole
 /// and is thrown again.

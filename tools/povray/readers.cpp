@@ -1,8 +1,8 @@
 #include "tools/povray/povray.hpp"
 
+#include <algorithm>
 #include <bit>
-#include <cctype>
-#include <cstring>
+#include <cmath>
 #include <string_view>
 
 namespace rt::tools::povray {
@@ -106,29 +106,11 @@ std::optional<std::vector<Rgb32>> read_render_state(const std::string& data, int
   return image;
 }
 
-std::optional<std::vector<Packed>> read_ppm16(const std::string& data, int width, int height) {
-  std::size_t at = 0;
-  const auto word = [&] {
-    const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    while (at < data.size() && (is_space(data[at]) || data[at] == '#')) {
-      if (data[at] == '#') at = std::min(data.find('\n', at), data.size());
-      else ++at;
-    }
-    std::string text;
-    while (at < data.size() && !is_space(data[at])) text += data[at++];
-    return text;
-  };
-  if (word() != "P6" || word() != std::to_string(width) || word() != std::to_string(height) || word() != "65535") return std::nullopt;
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  ++at; // one white space ends the header
-  if (data.size() < at || data.size() - at < 6 * count) return std::nullopt;
-  const auto value = [&] {
-    const auto high = static_cast<unsigned char>(data[at]), low = static_cast<unsigned char>(data[at + 1]);
-    at += 2;
-    return static_cast<std::uint16_t>(high << 8 | low);
-  };
-  std::vector<Packed> image(count);
-  for (Packed& pixel : image) pixel.r = value(), pixel.g = value(), pixel.b = value();
+std::vector<Packed> to_16_bits(const std::vector<Rgb32>& color) {
+  std::vector<Packed> image;
+  image.reserve(color.size());
+  const auto whole = [](float v) { return static_cast<std::uint16_t>(std::lround(std::clamp(double{v}, 0.0, 1.0) * 65535)); };
+  for (const Rgb32& c : color) image.push_back({whole(c.r), whole(c.g), whole(c.b)});
   return image;
 }
 

@@ -9,5 +9,7 @@ Action declare_render(CLI::App& app);
 Action declare_ast(CLI::App& app);
 Action declare_scene(CLI::App& app);
 Action declare_explain(CLI::App& app);
+Action declare_export(CLI::App& app);
+Action declare_check(CLI::App& app);
 
 } // namespace rt::tools

@@ -9,6 +9,8 @@ std::span<const Subcommand> subcommands() {
       {"render", "SCENE [-o PICTURE]... [OPTIONS]", "makes a picture (the command's name may be left out)", declare_render},
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
       {"scene", "SCENE [OPTIONS]", "prints the scene's description as JSON", declare_scene},
+      {"export", "SCENE [-o FILE] [OPTIONS]", "writes the scene for POV-Ray 3.7", declare_export},
+      {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
       {"explain", "[CODE]", "explains an error's code, or lists all codes", declare_explain},
   };
   return table;

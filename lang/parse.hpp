@@ -27,4 +27,7 @@ Parsed parse_expression(const SourceMap& sources, FileId file, SymbolTable& symb
 /// operator, a comma, `=` or `:`.
 bool is_complete(std::string_view text);
 
+/// How many rules of the grammar might loop without consuming input; 0, or there is a mistake in it (for tests).
+std::size_t grammar_problems();
+
 } // namespace rt::lang

@@ -246,7 +246,8 @@ struct dot_on_new_line : seq<at<one<'.'>, peg::identifier_first>, member> {};
 struct brace_on_new_line : at<one<'{'>> {}; // an error
 struct override_on_new_line : seq<when<&ParseState::brace_may_be_misplaced>, brace_on_new_line, block> {};
 struct suffix_on_new_line : seq<narrow_gap, at<newline>, newlines, sor<dot_on_new_line, override_on_new_line>> {};
-struct suffixes : star<sor<seq<gap, suffix>, suffix_on_new_line>> {};
+struct any_suffix : sor<seq<gap, suffix>, suffix_on_new_line> {};
+struct suffixes : star<any_suffix> {};
 
 struct minus : one<'-'> {};
 struct prefix_not : keyword<Word::not_> {};
@@ -343,7 +344,7 @@ struct word_item
                     named_item>> {};
 
 struct previous_begin : seq<when<&ParseState::may_edit_previous>, at<one<'.'>, peg::identifier_first>> {};
-struct previous_item : seq<previous_begin, suffixes, operators_rest, operators_end> {};
+struct previous_item : seq<previous_begin, plus<any_suffix>, operators_rest, operators_end> {};
 
 struct line_not_led_by_minus : sor<not_at<one<'-'>>, not_at<when<&ParseState::follows_line>>> {};
 struct item_end : at<narrow_gap, sor<one<'\n', ',', ';', '}'>, eof>> {};
@@ -351,33 +352,10 @@ struct item : seq<required<line_not_led_by_minus>, sor<word_item, previous_item,
 
 struct items_begin : success {};
 struct items_end : sor<eof, seq<when<&ParseState::is_in_braces>, one<'}'>>> {};
-struct items : seq<items_begin, wide_gap, star<not_at<items_end>, recovered<item>, opt<separator>>> {};
+struct items : seq<items_begin, wide_gap, star<not_at<items_end>, recovered<item>, narrow_gap, opt<separator>>> {};
 
 struct file : seq<items, eof> {};
 struct end_of_expression : eof {};
 struct single_expression : seq<wide_gap, required<expression>, wide_gap, required<end_of_expression>> {};
 
 } // namespace rt::lang::grammar
-
-/// For `analyze`: which of the rules above consume input.
-namespace tao::pegtl {
-namespace grammar_of_scenes = rt::lang::grammar;
-
-template <typename Name, auto Question>
-struct analyze_traits<Name, grammar_of_scenes::when<Question>> : analyze_opt_traits<> {};
-template <typename Name, rt::lang::Word W>
-struct analyze_traits<Name, grammar_of_scenes::is<W>> : analyze_opt_traits<> {};
-template <typename Name>
-struct analyze_traits<Name, grammar_of_scenes::item_on_new_line> : analyze_opt_traits<> {};
-template <typename Name, typename Rule>
-struct analyze_traits<Name, grammar_of_scenes::required<Rule>> : analyze_seq_traits<Rule> {};
-template <typename Name, typename Rule>
-struct analyze_traits<Name, grammar_of_scenes::nested<Rule>> : analyze_seq_traits<Rule> {};
-template <typename Name, typename Rule>
-struct analyze_traits<Name, grammar_of_scenes::before_block<Rule>> : analyze_seq_traits<Rule> {};
-template <typename Name, char Open, char Close, typename Content>
-struct analyze_traits<Name, grammar_of_scenes::bracketed<Open, Close, Content>> : analyze_any_traits<Content> {};
-template <typename Name, typename Rule>
-struct analyze_traits<Name, grammar_of_scenes::recovered<Rule>> : analyze_any_traits<Rule> {};
-
-} // namespace tao::pegtl

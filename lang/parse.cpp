@@ -2,11 +2,10 @@
 
 #include "lang/grammar.hpp"
 #include "lang/grammar_actions.hpp"
+#include "lang/grammar_analysis.hpp"
 #include "lang/grammar_errors.hpp"
 #include "lang/tokens.hpp"
 #include "lang/utf8.hpp"
-
-#include <tao/pegtl/contrib/analyze.hpp>
 
 #include <fmt/format.h>
 

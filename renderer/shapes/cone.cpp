@@ -70,7 +70,11 @@ Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
   const double c = dot(m, m) - radius * radius;
   const double aside = dot(ray.origin, n); // |m × n|, with a sign
   const Vec3 w = n * radius - m * widening;
-  const double d = dot(w, w) - aside * aside;
+  // Which of the two leaves the smaller rounding error depends on where the ray starts and how it runs.
+  const double cross_size = radius * std::sqrt(dot(n, n));
+  const double direct_error = std::abs(b) * cross_size + std::abs(a) * radius * radius + std::abs(c) * dot(n, n);
+  const double geometric_error = (length(w) + std::abs(aside)) * cross_size;
+  const double d = direct_error < geometric_error ? b * b - a * c : dot(w, w) - aside * aside;
   if (a > 0 && c >= 0 && !(d >= 0)) return Span::empty();
   if (a == 0 && b == 0) return c < 0 ? Span{} : Span::empty();
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
@@ -90,7 +94,7 @@ Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
 // The side's point is the nearest one of the straight line that turns about the axis to make the side: in the half
 // plane of distance from the axis and height, from (radius, 0) to (top_radius, height).
 SurfacePoint surface_point(const ConeGeometry& cone, const Ray& ray, const Hit& hit) {
-  const Vec3 from_base = ray.at(hit.t) - cone.base;
+  const Vec3 from_base = relative_point(ray, hit, cone.base);
   const double along = dot(from_base, cone.axis);
   const double error = rounding_bound(32) * (magnitude(cone.base) + cone.height + cone.radius + cone.top_radius);
   if (hit.part != side_part) {

@@ -52,7 +52,8 @@ constexpr bool is_solid(const ConeGeometry& cone) {
 ///
 /// With the arms m and n of the ray's origin and direction (their parts across the axis, turned by 90°) and the radius
 /// ρ + t·ρ' at the ray's height, (m + t·n)² − (ρ + t·ρ')² = a·t² + 2·b·t + c. Its discriminant b² − a·c is
-/// |ρ·n − ρ'·m|² − |m × n|², which does not cancel for far or large shapes as b² − a·c does.
+/// |ρ·n − ρ'·m|² − |m × n|², which does not cancel where the ray starts far from the surface; b² − a·c is the more
+/// precise close to it.
 Span side_span(const ConeGeometry& cone, const AxialRay& ray);
 
 inline AxialRay axial_ray(const ConeGeometry& cone, const Ray& ray) {

@@ -66,7 +66,7 @@ Box3 bounds(const CylinderGeometry& cylinder, const Affine& map) {
 }
 
 SurfacePoint surface_point(const CylinderGeometry& cylinder, const Ray& ray, const Hit& hit) {
-  const Vec3 from_base = ray.at(hit.t) - cylinder.base;
+  const Vec3 from_base = relative_point(ray, hit, cylinder.base);
   const double along = dot(from_base, cylinder.axis);
   const bool is_infinite = cylinder.extent == CylinderGeometry::Extent::infinite;
   const double size = cylinder.radius + (is_infinite ? std::abs(along) : cylinder.height);

@@ -48,16 +48,19 @@ constexpr bool is_solid(const CylinderGeometry& cylinder) {
 }
 
 /// The stretch of a line within the cylinder's side, as if that had no ends: in the plane across the axis, a circle's
-/// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius; its discriminant comes from
-/// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, and so does not cancel.
+/// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius. Its discriminant comes from
+/// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, which does not cancel; but
+/// for an origin close to the surface and a direction close to touching it, b² − a·c is the more precise.
 inline Span side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
+  const double radius_squared = cylinder.radius * cylinder.radius;
   const double a = dot(ray.direction_arm, ray.direction_arm);
+  const double b = dot(ray.origin_arm, ray.direction_arm);
+  const double c = dot(ray.origin_arm, ray.origin_arm) - radius_squared;
   const double aside = dot(ray.origin, ray.direction_arm);
-  const double d = cylinder.radius * cylinder.radius * a - aside * aside;
-  const double c = dot(ray.origin_arm, ray.origin_arm) - cylinder.radius * cylinder.radius;
+  double d = radius_squared * a - aside * aside;
+  if (16 * std::abs(c) < radius_squared && 16 * b * b < radius_squared * a) d = b * b - a * c;
   if (c >= 0 && !(d >= 0 && a > 0)) return Span::empty();
   if (a == 0) return {}; // along the axis, inside
-  const double b = dot(ray.origin_arm, ray.direction_arm);
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
   const double low = b >= 0 ? roots.first : roots.second, high = b >= 0 ? roots.second : roots.first;
   return {{low, side_part}, {high, side_part}};

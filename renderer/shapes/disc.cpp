@@ -47,7 +47,7 @@ Box3 bounds(const DiscGeometry& disc, const Affine& map) {
 }
 
 SurfacePoint surface_point(const DiscGeometry& disc, const Ray& ray, const Hit& hit) {
-  const Vec3 from_center = reject(ray.at(hit.t) - disc.center, disc.normal);
+  const Vec3 from_center = reject(relative_point(ray, hit, disc.center), disc.normal);
   return {disc.center + from_center, disc.normal, rounding_bound(16) * (magnitude(disc.center) + disc.radius)};
 }
 

@@ -46,7 +46,7 @@ bool intersect_face(std::span<const Vec3> outline, const Vec3& normal, const Ray
 }
 
 SurfacePoint flat_point(const Vec3& anchor, const Vec3& normal, double extent, const Ray& ray, const Hit& hit) {
-  const Vec3 from_anchor = reject(ray.at(hit.t) - anchor, normal);
+  const Vec3 from_anchor = reject(relative_point(ray, hit, anchor), normal);
   return {anchor + from_anchor, normal, rounding_bound(32) * (magnitude(anchor) + extent)};
 }
 

@@ -34,6 +34,12 @@ struct Hit {
   std::uint32_t part = 0;
 };
 
+/// The point of a hit relative to `anchor`. Where both are far from the origin this is more precise than subtracting
+/// afterwards.
+constexpr Vec3 relative_point(const Ray& ray, const Hit& hit, const Vec3& anchor) {
+  return (ray.origin - anchor) + ray.direction * hit.t;
+}
+
 /// Stores the first of two crossings, in order, that lies in the interval.
 inline bool take_first(const Hit& first, const Hit& second, const Interval& range, Hit& hit) {
   if (range.contains(first.t)) return hit = first, true;

@@ -31,7 +31,7 @@ std::optional<PolygonGeometry> placed(const PolygonGeometry& polygon, const Affi
   PolygonGeometry image;
   image.points.reserve(polygon.points.size());
   for (const Vec3& p : polygon.points) image.points.push_back(map.point(p));
-  image.normal = normalize(newell_normal(image.points));
+  image.normal = normalize(map.normal(polygon.normal));
   image.extent = outline_extent(image.points);
   return image;
 }

@@ -21,7 +21,7 @@ namespace rt {
 
 struct PolygonGeometry {
   std::vector<Vec3> points;
-  Vec3 normal;       ///< unit; the points run counterclockwise about it
+  Vec3 normal;       ///< unit; right-handed about the points' order as it was written
   double extent = 0; ///< diagonal of the box around the points
 };
 

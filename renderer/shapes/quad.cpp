@@ -55,7 +55,8 @@ QuadGeometry geometry(const scene::Quad& quad) {
   }
   if (quad.corner) {
     const Vec3 &c = *quad.corner, &u = *quad.edge_u, &v = *quad.edge_v;
-    return from_points({c, c + u, c + u + v, c + v});
+    const std::array<Vec3, 4> corners{c, c + u, c + u + v, c + v};
+    return {corners, normalize(cross(u, v)), outline_extent(corners)};
   }
   const Vec3 normal = normalize(quad.normal.value_or(Vec3{0, 1, 0}));
   const auto [u, v] = square_axes(normal);
@@ -66,7 +67,8 @@ QuadGeometry geometry(const scene::Quad& quad) {
 
 std::optional<QuadGeometry> placed(const QuadGeometry& quad, const Affine& map) {
   const auto& p = quad.points;
-  return from_points({map.point(p[0]), map.point(p[1]), map.point(p[2]), map.point(p[3])});
+  const std::array<Vec3, 4> corners{map.point(p[0]), map.point(p[1]), map.point(p[2]), map.point(p[3])};
+  return QuadGeometry{corners, normalize(map.normal(quad.normal)), outline_extent(corners)};
 }
 
 Box3 bounds(const QuadGeometry& quad, const Affine& map) {

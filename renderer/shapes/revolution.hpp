@@ -34,7 +34,7 @@ struct AxialRay {
       : origin(ray.origin - base), direction(ray.direction) {
     if (dot(origin, origin) > 64 * size * size) {
       advance = dot(axis * middle - origin, direction) / dot(direction, direction);
-      origin = ray.at(advance) - base;
+      origin = origin + direction * advance;
     }
     height = dot(origin, axis);
     climb = dot(direction, axis);

@@ -37,7 +37,7 @@ Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
 }
 
 SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit) {
-  const Vec3 normal = normalize(ray.at(hit.t) - sphere.center);
+  const Vec3 normal = normalize(relative_point(ray, hit, sphere.center));
   return {sphere.center + normal * sphere.radius, normal,
           rounding_bound(32) * (magnitude(sphere.center) + sphere.radius)};
 }

@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// The points p with n̂·p = offset, n̂ the unit vector along `normal`; or those of one coordinate: `x: k`, `y: k`, `z:
-/// k`. As a solid it is the half-space on the side the normal points away from.
+/// The points p with n̂·p = offset, n̂ the unit vector along `normal`; or those of one coordinate: `x: k`, `y: k` or
+/// `z: k`. As a solid it is the half-space on the side the normal points away from.
 struct Plane {
   static constexpr std::string_view noun = "plane";
   static constexpr std::string_view help = "an endless flat surface; as a solid, the half-space behind it";

@@ -22,9 +22,9 @@ struct Retracer::Tracing {
 
   Ray center(int x, int y) const { return camera.ray(x + 0.5, y + 0.5); }
 
-  std::uint32_t id(const Ray& ray, double from, double to = std::numeric_limits<double>::infinity()) {
-    RayHit hit;
-    if (!traceable.nearest(ray, from, hit, scratch) || hit.t > to) return 0;
+  std::uint32_t id(const Ray& ray, double from, double to = std::numeric_limits<double>::max()) {
+    const RayHit hit = traceable.nearest(ray, {from, to}, scratch);
+    if (!hit) return 0;
     return static_cast<std::uint32_t>(traceable.surface(ray, hit).order + 1);
   }
 
@@ -76,12 +76,12 @@ bool Retracer::is_hit_beside(int x, int y, std::uint32_t id) {
 bool Retracer::is_hit_behind(int x, int y, std::uint32_t id) {
   Tracing& t = tracing();
   const Ray ray = t.center(x, y);
-  RayHit hit;
-  if (!t.traceable.nearest(ray, 0, hit, t.scratch)) return false;
+  const RayHit hit = t.traceable.nearest(ray, {}, t.scratch);
+  if (!hit) return false;
   const double end = hit.t * (1 + behind);
   for (double from = hit.t; from <= end;) {
-    RayHit next;
-    if (!t.traceable.nearest(ray, from, next, t.scratch) || next.t > end) return false;
+    const RayHit next = t.traceable.nearest(ray, {from, end}, t.scratch);
+    if (!next) return false;
     if (t.traceable.surface(ray, next).order + 1 == id) return true;
     from = next.t;
   }

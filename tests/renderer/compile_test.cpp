@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace kit;
+using namespace rt;
+using namespace rt::kit;
 
 namespace {
 

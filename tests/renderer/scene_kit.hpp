@@ -7,9 +7,7 @@
 #include <utility>
 
 /// Scenes in a few words, for tests.
-namespace kit {
-
-using namespace rt;
+namespace rt::kit {
 
 /// An object of the shape, at a place, with a material.
 class Thing {
@@ -156,4 +154,4 @@ private:
   TraceScratch scratch_;
 };
 
-} // namespace kit
+} // namespace rt::kit

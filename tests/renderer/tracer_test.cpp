@@ -3,7 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace kit;
+using namespace rt;
+using namespace rt::kit;
 
 TEST_CASE("tracer: a report says where, what and of which material") {
   Kit k;

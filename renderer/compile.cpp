@@ -25,24 +25,41 @@ struct Frame {
 
 class Compiler {
 public:
-  Compiler(Compiled& compiled, const scene::Scene& scene)
-      : compiled_(compiled), scene_(scene), usage_(scene), solid_builder_(scene, compiled.device_, compiled.styles_),
+  // Compiles the `objects`, which are the scene's or a part of them. `parts` (by position among them) are ready.
+  Compiler(Compiled& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
+           std::span<const Part> parts)
+      : compiled_(compiled), styles_(*compiled.styles_), scene_(scene), objects_(objects), parts_(parts),
+        usage_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, styles_),
         group_assemblies_(scene.shapes.all<scene::Group>().size()),
         shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
 
   void run() {
     for (const std::uint32_t group : usage_.instanced())
       group_assemblies_[group] = compile(scene_.shapes.all<scene::Group>()[group].members, inherited_style);
-    compile(scene_.objects, compiled_.styles_.default_style());
+    compile(objects_, styles_.default_style(), true);
   }
 
 private:
-  const Assembly* compile(std::span<const scene::Object> objects, StyleId style) {
+  std::vector<std::span<const scene::Object>> outside_of_parts() const {
+    std::vector<std::span<const scene::Object>> stretches;
+    std::size_t begin = 0;
+    for (const Part& part : parts_) {
+      stretches.push_back(objects_.subspan(begin, part.begin - begin));
+      begin = part.end;
+    }
+    stretches.push_back(objects_.subspan(begin));
+    return stretches;
+  }
+
+  const Assembly* compile(std::span<const scene::Object> objects, StyleId style, bool is_root = false) {
     compiled_.assemblies_.push_back(std::make_unique<Assembly>());
     Assembly& assembly = *compiled_.assemblies_.back();
     assembly_ = &assembly;
     slot_count_ = 0;
-    reserve(objects);
+    if (is_root)
+      for (const auto stretch : outside_of_parts()) reserve(stretch);
+    else reserve(objects);
+    next_part_ = is_root ? 0 : parts_.size();
     std::vector<Frame> frames{{objects, {}, style, true, 0}};
     while (!frames.empty()) visit(frames);
     assembly.leaf_count_ = assembly.order(slot_count_);
@@ -55,10 +72,14 @@ private:
     Frame& frame = frames.back();
     if (frame.next == frame.objects.size()) return frames.pop_back();
     const auto position = static_cast<std::uint32_t>(frame.next++);
+    if (next_part_ < parts_.size() && frame.source == 0 && parts_[next_part_].begin == position) {
+      frame.next = parts_[next_part_].end;
+      return add_part(next_part_++);
+    }
     const scene::Object& object = frame.objects[position];
     if (!object.is_visible) return;
     const Affine map = frame.map * to_parent(scene_, object);
-    const StyleId style = compiled_.styles_.of(object, map, frame.style);
+    const StyleId style = styles_.of(object, map, frame.style);
     const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
     if (object.shape.kind == scene::kind_of<scene::Group> && !usage_.is_instanced(object.shape.index)) {
       const auto source = static_cast<std::uint32_t>(assembly_->sources_.size());
@@ -131,6 +152,18 @@ private:
     leaves.add({assembly, map, to_local.value_or(Affine{}), order}, tag);
   }
 
+  void add_part(std::size_t index) {
+    const Assembly& assembly = compiled_.parts_[index]->root();
+    const std::uint32_t slot = new_slot(0, parts_[index].begin);
+    const std::uint64_t order = assembly_->order(slot);
+    assembly_->steps_.push_back({nullptr, 0, slot, order, assembly.leaf_count()});
+    if (assembly.box().is_empty()) return;
+    InstanceLeaves& leaves = sets_for(assembly.box()).all<InstanceLeaves>();
+    assembly_->steps_.back().leaves = &leaves;
+    assembly_->steps_.back().index = leaves.size();
+    leaves.add({&assembly, {}, {}, order, parts_[index].begin}, LeafTag(slot, styles_.default_style(), true));
+  }
+
   void add_solid(const scene::Object& object, const scene::Combination& combination, const Affine& map, LeafTag tag) {
     const bool is_shared = usage_.is_shared(object.shape);
     const Solid*& shared = shared_solids_[object.shape.index];
@@ -172,7 +205,7 @@ private:
     });
     add_loose(a.unbounded_);
     if (count < least_for_tree) return add_loose(a.bounded_);
-    a.tree_ = accel::Tree(compiled_.device_, box);
+    a.tree_ = accel::Tree(*compiled_.device_, box);
     a.bounded_.for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
     a.tree_.build();
   }
@@ -184,7 +217,10 @@ private:
   }
 
   Compiled& compiled_;
+  Styles& styles_;
   const scene::Scene& scene_;
+  std::span<const scene::Object> objects_;
+  std::span<const Part> parts_;
   Usage usage_;
   SolidBuilder solid_builder_;
   std::vector<const Assembly*> group_assemblies_; // by group
@@ -192,10 +228,53 @@ private:
 
   Assembly* assembly_ = nullptr; // that is being made
   std::uint32_t slot_count_ = 0;
+  std::size_t next_part_ = 0;
 };
 
-Compiled::Compiled(const scene::Scene& scene, int threads) : device_(threads), styles_(scene) {
-  Compiler(*this, scene).run();
+Compiled::Compiled(const scene::Scene& scene, int threads)
+    : device_(std::make_shared<accel::Device>(threads)), styles_(std::make_shared<Styles>(scene)) {
+  Compiler(*this, scene, scene.objects, {}).run();
+}
+
+Compiled::Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache) {
+  cache.begin(scene);
+  device_ = cache.device_;
+  styles_ = cache.styles_;
+  for (const Part& part : parts) parts_.push_back(cache.take(scene, part));
+  cache.mark_ = styles_->mark();
+  cache.forget_unused();
+  Compiler(*this, scene, scene.objects, parts).run();
+}
+
+void CompileCache::begin(const scene::Scene& scene) {
+  ++uses_;
+  if (!styles_) {
+    styles_ = std::make_shared<Styles>(scene);
+    return;
+  }
+  styles_->release(mark_);
+  styles_->extend(scene);
+}
+
+std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, const Part& part) {
+  const std::uint32_t size = part.end - part.begin;
+  for (Entry& entry : entries_) {
+    if (entry.stamp != part.stamp) continue;
+    entry.last_use = uses_;
+    ++counts_.parts_reused;
+    counts_.objects_reused += size;
+    return entry.compiled;
+  }
+  const std::shared_ptr<Compiled> made(new Compiled(device_, styles_));
+  Compiler(*made, scene, std::span(scene.objects).subspan(part.begin, size), {}).run();
+  ++counts_.parts_built;
+  counts_.objects_built += size;
+  entries_.push_back({part.stamp, uses_, made});
+  return made;
+}
+
+void CompileCache::forget_unused() {
+  std::erase_if(entries_, [this](const Entry& entry) { return entry.last_use + patience < uses_; });
 }
 
 } // namespace rt

@@ -104,12 +104,13 @@ LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const R
 }
 
 Box3 InstanceLeaves::bounds(std::uint32_t i) const {
+  if (leaves_[i].part_begin) return leaves_[i].assembly->box();
   return transform_box(leaves_[i].to_outer, leaves_[i].assembly->box());
 }
 
 void InstanceLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const Leaf& leaf = leaves_[i];
-  NearestQuery inner(carried(leaf, query.ray), query.interval, *leaf.assembly, query.base + leaf.order, query.best,
+  NearestQuery inner(leaf.part_begin ? query.ray : carried(leaf, query.ray), query.interval, *leaf.assembly, query.base + leaf.order, query.best,
                      query.scratch);
   leaf.assembly->nearest(inner);
   query.interval.upper = inner.interval.upper;
@@ -119,7 +120,7 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
   const LeafTag tag = tags_[i];
   if (!tag.casts_shadow && !query.inspects) return false;
   const Leaf& leaf = leaves_[i];
-  const Ray ray = carried(leaf, query.ray);
+  const Ray ray = leaf.part_begin ? query.ray : carried(leaf, query.ray);
   const std::uint64_t base = query.base + leaf.order;
   const InheritedStyle inherited =
       tag.style_id() == inherited_style ? query.inherited : InheritedStyle{tag.style_id(), &query.ray};

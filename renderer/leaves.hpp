@@ -4,6 +4,7 @@
 #include "renderer/solids.hpp"
 #include "renderer/trace_query.hpp"
 
+#include <optional>
 #include <vector>
 
 /// The leaves of the trees: sets of one kind each, whose callbacks the trees call.
@@ -135,13 +136,16 @@ private:
   std::vector<LeafTag> tags_;
 };
 
-/// A group that stands in several places is an assembly of its own, and each of its places a leaf.
+/// A group that stands in several places is an assembly of its own, and each of its places a leaf. So is a part of the
+/// scene that was compiled by itself.
 class InstanceLeaves {
 public:
   struct Leaf {
     const Assembly* assembly;
     Affine to_outer, to_local;
     std::uint64_t order; ///< how many leaves of its own assembly come before it
+    /// Of a part: where it begins in the scene's list. It stands where it is, so rays and points stay what they are.
+    std::optional<std::uint32_t> part_begin = {};
   };
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(leaves_.size()); }

@@ -24,25 +24,31 @@ bool is_first_of_checker(const Vec3& p) {
 } // namespace
 
 Materials::Materials(const scene::Scene& scene) {
+  add({});
+  extend(scene);
+}
+
+void Materials::extend(const scene::Scene& scene) {
   patterns_.reserve(scene.patterns.size());
-  for (const scene::Pattern& pattern : scene.patterns) {
+  for (std::size_t i = patterns_.size(); i < scene.patterns.size(); ++i) {
+    const scene::Pattern& pattern = scene.patterns[i];
     const auto to_pattern = inverse(matrix(pattern.placement));
     assert(to_pattern && "a pattern's placement must not flatten it");
     patterns_.push_back({to_pattern.value_or(Affine{}), pattern.a, pattern.b});
   }
   entries_.reserve(scene.materials.size() + 1);
-  const auto add = [&](const scene::Material& m) {
-    entries_.push_back(
-        {{constant_part(m.color), constant_part(m.ambient), constant_part(m.diffuse), constant_part(m.emission),
-          m.reflect, m.specular, m.shininess, m.metallic, m.refract, m.ior, m.highlight, m.fresnel},
-         m.color,
-         m.ambient,
-         m.diffuse,
-         m.emission,
-         is_pattern(m.color) || is_pattern(m.ambient) || is_pattern(m.diffuse) || is_pattern(m.emission)});
-  };
-  for (const scene::Material& material : scene.materials) add(material);
-  add({});
+  for (std::size_t i = entries_.size() - 1; i < scene.materials.size(); ++i) add(scene.materials[i]);
+}
+
+void Materials::add(const scene::Material& m) {
+  entries_.push_back(
+      {{constant_part(m.color), constant_part(m.ambient), constant_part(m.diffuse), constant_part(m.emission),
+        m.reflect, m.specular, m.shininess, m.metallic, m.refract, m.ior, m.highlight, m.fresnel},
+       m.color,
+       m.ambient,
+       m.diffuse,
+       m.emission,
+       is_pattern(m.color) || is_pattern(m.ambient) || is_pattern(m.diffuse) || is_pattern(m.emission)});
 }
 
 MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {

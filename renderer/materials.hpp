@@ -27,8 +27,13 @@ public:
   Materials() = default;
   explicit Materials(const scene::Scene& scene);
 
-  /// The index of the default material, a white matte: one past the scene's own.
-  std::uint32_t default_material() const { return static_cast<std::uint32_t>(entries_.size() - 1); }
+  /// Adds the materials and patterns that the scene has got since: those it had must still be there, unchanged.
+  void extend(const scene::Scene& scene);
+
+  /// The index of the default material, a white matte, and of the scene's own.
+  static constexpr std::uint32_t default_material() { return 0; }
+  static std::uint32_t index(scene::MaterialId material) { return static_cast<std::uint32_t>(material) + 1; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(entries_.size()); }
 
   bool has_patterns(std::uint32_t material) const { return entries_[material].has_patterns; }
 
@@ -48,6 +53,7 @@ private:
     Affine to_pattern; // from the space it lives in
     scene::Paint a, b;
   };
+  void add(const scene::Material& material);
   Color evaluate(const scene::Paint& paint, const Vec3& p) const;
 
   std::vector<Entry> entries_;

@@ -50,10 +50,10 @@ Xyz32 to_single(const Vec3& v) {
 // Everything the workers share. Each pixel is written by one of them, so the film needs no lock.
 class Job {
 public:
-  Job(const scene::Scene& scene, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect,
+  Job(const View& view, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect,
       Film& film)
-      : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(scene.camera, scene.size),
-        around_eye_(traceable.around(scene.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))),
+      : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
+        around_eye_(traceable.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
         columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
 
   /// What one thread does: takes tiles until none are left or it is told to stop.
@@ -210,19 +210,23 @@ int thread_count(int wanted) {
 } // namespace
 
 Rendered render(const scene::Scene& scene, const RenderOptions& options) {
+  const Clock::time_point build_start = Clock::now();
+  const Traceable traceable(scene, thread_count(options.threads));
+  const double build_seconds = seconds_since(build_start);
+  Rendered result = render(traceable, {scene.camera, scene.size, scene.samples}, options);
+  result.statistics.primitives = count_primitives(scene);
+  result.statistics.build_seconds = build_seconds;
+  return result;
+}
+
+Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options) {
   Rendered result;
   RenderStatistics& statistics = result.statistics;
   statistics.threads = thread_count(options.threads);
-
-  const Clock::time_point build_start = Clock::now();
-  const Traceable traceable(scene, statistics.threads);
-  statistics.primitives = count_primitives(scene);
-  statistics.build_seconds = seconds_since(build_start);
-
   const Clock::time_point trace_start = Clock::now();
-  const PixelRect rect = options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]});
+  const PixelRect rect = options.crop.value_or(PixelRect{0, 0, view.size[0], view.size[1]});
   result.film = make_film(rect, options.layers);
-  Job job(scene, traceable, options, rect, result.film);
+  Job job(view, traceable, options, rect, result.film);
   {
     std::vector<std::jthread> threads;
     for (int i = 0; i < statistics.threads; ++i) threads.emplace_back([&job] { job.work(); });

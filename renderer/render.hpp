@@ -42,4 +42,15 @@ struct Rendered {
 /// The whole way from description to picture. The same bytes for any number of threads.
 Rendered render(const scene::Scene& scene, const RenderOptions& options);
 
+class Traceable;
+
+/// How a scene that is compiled already is to be looked at.
+struct View {
+  scene::Camera camera;
+  scene::Resolution size{};
+  int samples = 1; ///< a square number
+};
+/// The same for a scene that is compiled already; its primitives and the time to build are not counted.
+Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options);
+
 } // namespace rt

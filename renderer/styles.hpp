@@ -18,7 +18,17 @@ class Styles {
 public:
   explicit Styles(const scene::Scene& scene);
 
-  StyleId default_style() const { return StyleId{materials_.default_material()}; }
+  /// Adds the materials that the scene has got since. What was given out stays as it is.
+  void extend(const scene::Scene& scene);
+
+  /// How many places of patterns there are; `release` forgets those that came later, with their styles.
+  struct Mark {
+    std::size_t styles, places;
+  };
+  Mark mark() const { return {styles_.size(), places_.size()}; }
+  void release(const Mark& mark);
+
+  static StyleId default_style() { return StyleId{0}; }
 
   /// The style of an object that stands by `to_outer` in the space that the style is asked about in, and would inherit
   /// `inherited` if it wrote no material.
@@ -56,7 +66,8 @@ private:
   const Style& at(StyleId id) const { return styles_[static_cast<std::size_t>(id)]; }
 
   Materials materials_;
-  std::vector<Style> styles_; // first the materials in their order, then those with a place
+  std::vector<Style> styles_;   // first that of the default material
+  std::vector<StyleId> placeless_; // by material as the scene numbers them
   std::vector<Affine> places_;
   bool has_transparent_ = false;
 };

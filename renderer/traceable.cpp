@@ -40,6 +40,7 @@ Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray,
   std::uint32_t slot = 0;
   const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
   const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
+  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order);
   Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
   r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
   const StyleId style = step.leaves->tag(step.index).style_id();
@@ -63,8 +64,13 @@ Vec3 smooth_normal(const Resolved& r) {
 
 } // namespace
 
-Traceable::Traceable(const scene::Scene& scene, int threads)
-    : compiled_(scene, threads), background_(scene.background), ambient_(scene.ambient), max_depth_(scene.max_depth) {
+Traceable::Traceable(const scene::Scene& scene, int threads) : Traceable(scene, Compiled(scene, threads)) {}
+
+Traceable::Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
+    : Traceable(scene, Compiled(scene, parts, cache)) {}
+
+Traceable::Traceable(const scene::Scene& scene, Compiled compiled)
+    : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient), max_depth_(scene.max_depth) {
   lamps_.reserve(scene.lights.size());
   for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
 }
@@ -137,14 +143,17 @@ std::vector<Interior> Traceable::around(const Vec3& p) const {
 std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
   std::vector<std::uint32_t> path;
   const Assembly* assembly = &compiled_.root();
+  std::uint32_t part_begin = 0;
   const auto append = [&](const std::vector<std::uint32_t>& part) {
     path.insert(path.end(), part.begin(), part.end());
   };
   for (std::uint64_t first = 0; assembly != hit.assembly;) {
     std::uint32_t slot = 0;
     const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
-    append(assembly->path(step.slot));
-    assembly = step.leaves->leaf(step.index).assembly;
+    const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
+    if (instance.part_begin) part_begin = *instance.part_begin;
+    else append(assembly->path(step.slot));
+    assembly = instance.assembly;
     first += step.order;
   }
   append(assembly->path(hit.kind->tag(hit.leaves, hit.index).slot));
@@ -152,6 +161,7 @@ std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
     const auto& solids = *static_cast<const SolidLeaves*>(hit.leaves);
     append(solids.leaf(hit.index).solid->path(hit.operand));
   }
+  path.front() += part_begin;
   return path;
 }
 

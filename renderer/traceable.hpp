@@ -30,6 +30,8 @@ public:
   /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
   /// std::runtime_error when the acceleration structure cannot be built.
   Traceable(const scene::Scene& scene, int threads);
+  /// The same with parts of the scene's list that may be in the cache from an earlier compilation.
+  Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
   /// The nearest hit in `range`; with equal distances, on the object that was declared first. Without one, the result
   /// is false.
@@ -61,6 +63,8 @@ public:
   int max_depth() const { return max_depth_; }
 
 private:
+  Traceable(const scene::Scene& scene, Compiled compiled);
+
   Compiled compiled_;
   std::vector<Lamp> lamps_;
   Color background_, ambient_;

@@ -21,26 +21,26 @@ bool is_group(const scene::Object& object) {
 
 } // namespace
 
-Usage::Usage(const scene::Scene& scene) {
+Usage::Usage(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
   const std::size_t groups = scene.shapes.all<scene::Group>().size();
   leaves_.resize(groups);
   copies_.resize(groups);
   is_instanced_.resize(groups);
+  is_found_.resize(groups);
   combination_copies_.resize(scene.shapes.all<scene::Combination>().size());
-  find_groups(scene);
+  for (const auto stretch : objects) find_groups(scene, stretch);
   count_leaves(scene);
-  count_copies(scene);
+  count_copies(scene, objects);
 }
 
-void Usage::find_groups(const scene::Scene& scene) {
+void Usage::find_groups(const scene::Scene& scene, std::span<const scene::Object> objects) {
   struct Visit {
     std::span<const scene::Object> objects;
     std::uint32_t group; // whose members they are
     std::size_t next = 0;
   };
   const auto& groups = scene.shapes.all<scene::Group>();
-  std::vector<bool> is_found(groups.size());
-  std::vector<Visit> path{{scene.objects, 0}};
+  std::vector<Visit> path{{objects, 0}};
   while (!path.empty()) {
     Visit& visit = path.back();
     if (visit.next == visit.objects.size()) {
@@ -49,8 +49,8 @@ void Usage::find_groups(const scene::Scene& scene) {
       continue;
     }
     const scene::Object& object = visit.objects[visit.next++];
-    if (!object.is_visible || !is_group(object) || is_found[object.shape.index]) continue;
-    is_found[object.shape.index] = true;
+    if (!object.is_visible || !is_group(object) || is_found_[object.shape.index]) continue;
+    is_found_[object.shape.index] = true;
     path.push_back({groups[object.shape.index].members, object.shape.index});
   }
 }
@@ -66,9 +66,9 @@ void Usage::count_leaves(const scene::Scene& scene) {
 }
 
 // From the outside in, so that all places of a group are known when it is decided about.
-void Usage::count_copies(const scene::Scene& scene) {
-  const auto count = [&](std::span<const scene::Object> objects, std::uint64_t times) {
-    for (const scene::Object& object : objects) {
+void Usage::count_copies(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
+  const auto count = [&](std::span<const scene::Object> placed, std::uint64_t times) {
+    for (const scene::Object& object : placed) {
       if (!object.is_visible) continue;
       std::uint64_t* copies = nullptr;
       if (is_group(object)) copies = &copies_[object.shape.index];
@@ -76,7 +76,7 @@ void Usage::count_copies(const scene::Scene& scene) {
       if (copies) *copies = std::min(many, *copies + times);
     }
   };
-  count(scene.objects, 1);
+  for (const auto stretch : objects) count(stretch, 1);
   for (auto it = innermost_first_.rbegin(); it != innermost_first_.rend(); ++it) {
     const std::uint64_t copies = copies_[*it], leaves = leaves_[*it];
     is_instanced_[*it] = copies > 1 && leaves >= least_leaves && copies * leaves >= least_total;

@@ -15,6 +15,9 @@
 
 namespace rt::lang {
 
+struct Noun;
+struct Program;
+
 /// The value of an expression that was typed by itself.
 struct PrintedValue {
   std::string text;
@@ -81,6 +84,8 @@ public:
   /// The document's text at a version, as it was typed.
   std::string text() const { return text(version()); }
   std::string text(std::size_t version) const;
+  /// As a scene file, in the formatter's layout.
+  std::string formatted() const;
   /// What differs between two versions, statement by statement: lines that begin with "- " and "+ ".
   std::string diff(std::size_t from, std::size_t to) const;
   bool is_empty() const;
@@ -93,6 +98,12 @@ public:
 
   /// The names that the document binds or defines, sorted.
   std::vector<std::string> names() const;
+  /// The properties that a thing of this name takes: a noun's, a def's parameters, those of what the name is bound to.
+  std::vector<std::string> properties_of(std::string_view name) const;
+  /// The noun of that name, or of the thing that the name is bound to; null where there is none.
+  const Noun* noun_of(std::string_view name) const;
+  /// All that was read and resolved.
+  const Program& program() const;
   /// Of what was submitted; diagnostics point into it.
   const SourceMap& sources() const;
   const SessionCounters& counters() const;

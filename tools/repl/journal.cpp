@@ -101,13 +101,18 @@ void Journal::open() {
 
 void Journal::add(std::string_view entry) {
   if (folder_.empty()) return;
-  if (fd_ < 0) open();
-  if (fd_ < 0) return;
-  const std::string record = fmt::format("{}\n{}\n", entry.size(), entry);
+  const auto record_of = [](std::string_view text) { return fmt::format("{}\n{}\n", text.size(), text); };
+  std::string record = record_of(entry);
+  if (fd_ < 0) {
+    open();
+    if (fd_ < 0) return;
+    if (!base_.empty()) record = record_of(base_) + record;
+  }
   [[maybe_unused]] const ssize_t n = ::write(fd_, record.data(), record.size());
 }
 
-void Journal::clear() {
+void Journal::clear(std::string base) {
+  base_ = std::move(base);
   if (fd_ < 0) return;
   ::unlink(path_.c_str());
   ::close(fd_);

@@ -25,14 +25,14 @@ public:
   Journal& operator=(const Journal&) = delete;
 
   void add(std::string_view entry);
-  /// Forgets all entries, and the file.
-  void clear();
-  bool is_empty() const { return fd_ < 0; }
+  /// Forgets all entries, and the file. `base` (unless empty) is the entry that leads to where the next ones start from;
+  /// it is written when they are.
+  void clear(std::string base = {});
 
 private:
   void open();
 
-  std::string folder_, path_;
+  std::string folder_, path_, base_;
   int fd_ = -1;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <chafa.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace rt::tools {
@@ -80,6 +81,13 @@ std::vector<std::uint8_t> encode(const Film& film) {
   bytes.reserve(film.color.size() * 3);
   for (const Rgb32& c : film.color) bytes.insert(bytes.end(), {encoder(c.r), encoder(c.g), encoder(c.b)});
   return bytes;
+}
+
+// Terminals differ in where a picture leaves the cursor. So the rows are made first, and the cursor returns to their
+// beginning by itself.
+std::string framed(std::string_view picture, int rows) {
+  const std::string room(static_cast<std::size_t>(rows), '\n');
+  return fmt::format("{}\x1b[{}A\x1b" "7{}\x1b" "8\x1b[{}B\r", room, rows, picture, rows);
 }
 
 // What a pixel on the screen measures, where the terminal does not say: the shape of most fonts.
@@ -175,6 +183,7 @@ std::string PicturePrinter::print(const Film& film, const PictureExtent& extent)
   GString* text = chafa_canvas_print(canvas.get(), terminal_.get());
   std::string out(text->str, text->len);
   g_string_free(text, TRUE);
+  if (has_pixels) return framed(out, extent.rows);
   if (out.empty() || out.back() != '\n') out += '\n';
   return out;
 }

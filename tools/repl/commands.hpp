@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::tools {
+
+class Shell;
+
+/// What a command's argument is, for completion.
+enum class ArgumentKind : std::uint8_t { none, file, thing, property, word, statement, command };
+
+/// One command of the session. A further one is a row of a table.
+struct ShellCommand {
+  std::string_view name; ///< without the colon
+  std::string_view arguments;
+  std::string_view summary; ///< one line
+  ArgumentKind argument = ArgumentKind::none;
+  /// False where it went wrong, which it has told.
+  bool (*run)(Shell& shell, std::string_view arguments) = nullptr;
+};
+
+/// All that this program has, in the order of :help.
+std::vector<ShellCommand> shell_commands();
+
+/// The command that a word (without the colon) means: its name, or the beginning of no other's. Otherwise `problem` says
+/// what is wrong with it.
+struct CommandChoice {
+  const ShellCommand* command = nullptr;
+  std::string problem;
+};
+CommandChoice choose_command(std::string_view word, std::span<const ShellCommand> commands);
+
+/// Input that begins with a colon, taken apart.
+struct CommandLine {
+  std::string_view word;      ///< without the colon
+  std::string_view arguments; ///< without spaces around
+};
+CommandLine split_command(std::string_view input);
+bool is_command(std::string_view input);
+
+std::string_view trimmed(std::string_view text);
+/// The words of a text; a word in double quotes may hold spaces.
+std::vector<std::string> words_of(std::string_view text);
+
+// The tables, by what they are about.
+std::span<const ShellCommand> document_commands();
+std::span<const ShellCommand> picture_commands();
+std::span<const ShellCommand> question_commands();
+std::span<const ShellCommand> general_commands();
+
+} // namespace rt::tools

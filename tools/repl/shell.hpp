@@ -1,0 +1,101 @@
+#pragma once
+
+#include "lang/session.hpp"
+#include "renderer/render.hpp"
+#include "tools/repl/journal.hpp"
+#include "tools/repl/picture.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rt::tools {
+
+/// Where a session's words go.
+struct ShellOutput {
+  std::function<void(std::string_view)> print; ///< answers
+  std::function<void(std::string_view)> complain; ///< diagnostics and what went wrong
+  bool uses_color = false;
+};
+
+struct ShellOptions {
+  lang::LoadOptions load;
+  std::string folder;          ///< what relative includes start from
+  std::string journal_folder;  ///< empty: no journal
+  bool is_interactive = false; ///< a person sits there: small talk is welcome
+};
+
+/// A session with its commands: takes complete inputs and answers them, without reading keys or knowing a terminal beyond
+/// its size.
+class Shell {
+public:
+  Shell(const ShellOptions& options, ShellOutput output);
+
+  /// Statements, or a command that begins with a colon. False where it went wrong, which has been told.
+  bool run(std::string_view input);
+  bool wants_to_quit() const { return wants_to_quit_; }
+
+  /// Makes a picture of the scene as it stands; settings that are not given are the scene's own.
+  struct PictureSettings {
+    std::optional<scene::Resolution> size;
+    std::optional<int> samples;
+    bool layers = false;
+  };
+  Rendered render(const PictureSettings& settings, const std::atomic<bool>* stop,
+                  std::function<void(const Progress&)> on_progress = {});
+
+  // For the commands.
+  lang::Session& session() { return session_; }
+  const ShellOptions& options() const { return options_; }
+  PicturePrinter& printer() { return printer_; }
+  const ShellOutput& output() const { return output_; }
+  void print(std::string_view text) const { output_.print(text); }
+  /// Prints a complaint and gives false.
+  bool fail(std::string_view text) const;
+  /// Tells what became of an input; false unless it was accepted.
+  bool report(const lang::SessionResult& result);
+  void quit() { wants_to_quit_ = true; }
+
+  bool shows_previews() const { return shows_previews_; }
+  void set_previews(bool shows) { shows_previews_ = shows; }
+  /// Whether the picture has changed since the last call.
+  bool take_change() { return std::exchange(has_changed_, false); }
+
+  /// The file that `:save` without a name writes to; empty where there is none yet.
+  const std::string& path() const { return path_; }
+  /// The document is now what the file says.
+  void became_saved(const std::string& path);
+  bool has_unsaved_changes() const { return session_.version() != saved_version_ && !session_.is_empty(); }
+
+  /// The last session that was not saved, if there is one to be had.
+  std::optional<AbandonedSession>& abandoned() { return abandoned_; }
+  bool recover();
+  /// To be called at the end: a session that is saved or empty needs no journal.
+  void close();
+
+  double last_seconds() const { return last_seconds_; }
+
+private:
+  bool run_statements(std::string_view input);
+  void remember(std::string_view input);
+
+  ShellOptions options_;
+  ShellOutput output_;
+  lang::Session session_;
+  PicturePrinter printer_;
+  Journal journal_;
+  std::optional<AbandonedSession> abandoned_;
+  std::string path_;
+  std::size_t saved_version_ = 0;
+  double last_seconds_ = 0;
+  bool wants_to_quit_ = false;
+  bool shows_previews_ = false;
+  bool has_changed_ = false;
+  std::size_t journaled_version_ = 0; // to which the journal leads
+};
+
+} // namespace rt::tools

@@ -40,7 +40,7 @@ int run_explain(std::string name) {
 
 Action declare_explain(CLI::App& app) {
   auto name = std::make_shared<std::string>();
-  app.add_option("CODE", *name, "as in error[E0204]")->group("");
+  app.add_option("CODE", *name, "as in error[E0204]")->group("Arguments");
   return [name] { return run_explain(*name); };
 }
 

@@ -10,31 +10,30 @@
 namespace rt::tools {
 namespace {
 
-constexpr std::size_t column = 24; ///< where explanations begin
+constexpr std::size_t column = 26; ///< where explanations begin
 
+/// A line of two columns.
 std::string row(std::string_view left, std::string_view right) {
   // A name that is too long for its column takes a line of its own.
-  const std::string gap = left.size() + 3 > column ? '\n' + std::string(column, ' ') : std::string(column - 2 - left.size(), ' ');
-  return fmt::format("  {}{}{}\n", left, gap, right);
+  const bool fits = left.size() + 4 <= column;
+  return fmt::format("  {}{}{}\n", left, fits ? std::string(column - 2 - left.size(), ' ') : '\n' + std::string(column, ' '), right);
 }
 
 std::string option_row(const CLI::Option& option) {
-  std::string names;
-  for (const std::string& name : option.get_snames()) names += (names.empty() ? "-" : ", -") + name;
-  if (option.get_snames().empty() && !option.get_positional()) names = "    ";
-  else if (!option.get_lnames().empty()) names += ", ";
-  for (const std::string& name : option.get_lnames()) names += "--" + name;
-  if (option.get_positional()) names = option.get_name();
-  const std::string value = option.get_type_name();
-  if (!value.empty() && !option.get_positional()) names += ' ' + value;
+  const auto& letters = option.get_snames();
+  const auto& words = option.get_lnames();
+  std::string names = letters.empty() ? "    " : '-' + letters.front();
+  if (!letters.empty() && !words.empty()) names += ", ";
+  if (!words.empty()) names += "--" + words.front();
+  if (!option.get_type_name().empty()) names += ' ' + option.get_type_name();
   return row(names, option.get_description());
 }
 
-/// The options of a group under a heading; nothing where there are none.
+/// The options of a group under a heading; nothing where there are none. Positional ones are in the usage line.
 std::string options_of(const CLI::App& app, const std::string& group, const std::string& heading) {
   std::string text;
   for (const CLI::Option* option : app.get_options())
-    if (option->get_group() == group) text += option_row(*option);
+    if (option->get_group() == group && option->nonpositional()) text += option_row(*option);
   return text.empty() ? text : fmt::format("\n{}:\n{}", heading, text);
 }
 
@@ -47,7 +46,8 @@ std::string version() { return fmt::format("rtlang {}\n", version_number()); }
 std::string help(const Subcommand& subcommand, const CLI::App& app) {
   std::string text = fmt::format("rtlang {}: {}\n\nUsage: rtlang {} {}\n", subcommand.name, subcommand.summary,
                                  subcommand.name, subcommand.arguments);
-  for (const std::string& group : app.get_groups()) text += options_of(app, group, group);
+  for (const std::string& group : app.get_groups())
+    if (!group.empty()) text += options_of(app, group, group);
   if (!app.get_footer().empty()) text += fmt::format("\n{}\n", app.get_footer());
   return text;
 }
@@ -55,16 +55,18 @@ std::string help(const Subcommand& subcommand, const CLI::App& app) {
 std::string help() {
   const Subcommand& first = subcommands().front();
   CLI::App app;
+  app.set_help_flag("-h,--help", "prints this, or a command's own help");
   const Action unused = first.declare(app);
   std::string text = fmt::format("rtlang {}: from a scene's text to its picture\n\n"
                                  "Usage: rtlang {}\n"
                                  "       rtlang COMMAND ...\n",
                                  version_number(), first.arguments);
   text += options_of(app, "Options", fmt::format("Options (rtlang {} --help lists all)", first.name));
-  text += row("    --version", "print the program's version");
+  text += row("    --version", "prints the program's version");
   text += "\nCommands (rtlang COMMAND --help tells more):\n";
   for (const Subcommand& subcommand : subcommands()) text += row(subcommand.name, subcommand.summary);
-  text += "\nExit code: 0 fine, 1 the scene is wrong, 2 the command line is, 3 disk or machine, 130 stopped by Ctrl-C\n";
+  text += "\nExit code: 0 fine, 1 the scene is wrong, 2 the command line is wrong,\n"
+          "3 the machine fails (disk, memory), 130 stopped by Ctrl-C\n";
   return text;
 }
 

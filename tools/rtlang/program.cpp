@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <regex>
 #include <system_error>
 
 #include <CLI/App.hpp>
@@ -33,34 +34,56 @@ void join_optional_values(std::vector<std::string>& arguments) {
   }
 }
 
-/// For a word that is neither a subcommand nor a file, perhaps with the subcommand that was meant.
-std::string advice(const std::vector<std::string>& arguments) {
-  if (arguments.size() < 2 || arguments[0].starts_with('-') || std::filesystem::exists(arguments[0])) return "";
-  std::vector<std::string_view> names;
-  for (const Subcommand& subcommand : subcommands()) names.push_back(subcommand.name);
-  const auto nearest = lang::nearest(arguments[0], names);
-  return nearest ? fmt::format(" (did you mean the command `{}`?)", *nearest) : "";
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::vector<std::string_view> views(candidates.begin(), candidates.end());
+  const auto nearest = lang::nearest(word, views);
+  return nearest ? fmt::format(": did you mean `{}`?", *nearest) : "";
 }
 
-int run_subcommand(const Subcommand& subcommand, std::vector<std::string> arguments, const std::string& name_given) {
-  CLI::App app;
-  app.set_help_flag();
-  bool wants_help = false;
-  const Action action = subcommand.declare(app);
-  app.add_flag("-h,--help", wants_help, "print this help");
-  const std::string hint = advice(arguments);
-  join_optional_values(arguments);
-  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end() ||
-      std::find(arguments.begin(), arguments.end(), "-h") != arguments.end()) {
-    print(help(subcommand, app));
-    return exit_fine;
+/// What to say of words that belong to no option and are no argument; `first` is the command line's first word.
+std::string about_extras(const std::vector<std::string>& extras, const CLI::App& app, const std::string& first) {
+  for (const std::string& extra : extras) {
+    if (!extra.starts_with('-') || extra == "-") continue;
+    const std::string name = extra.substr(0, extra.find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& word : option->get_lnames()) names.push_back("--" + word);
+    return fmt::format("there is no option `{}`{}", name, did_you_mean(name, names));
   }
+  // The first word may have been meant as a command.
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : subcommands()) names.emplace_back(subcommand.name);
+  if (find_subcommand(first) == nullptr && !std::filesystem::exists(first)) {
+    if (const std::string hint = did_you_mean(first, names); !hint.empty())
+      return fmt::format("there is no command `{}`{}", first, hint);
+  }
+  return fmt::format("`{}` is one argument too many", extras.front());
+}
+
+/// CLI11 puts a colon between an option and what our checks say of it, and has its own way to miss a value.
+std::string as_sentence(const std::string& message) {
+  static const std::regex missing("^(\\S+): 1 required (\\S+) missing$"), colon("^(\\S+): (takes|cannot) ");
+  return std::regex_replace(std::regex_replace(message, missing, "$1 takes a value: $1 $2"), colon, "$1 $2 ");
+}
+
+/// `first` is the command line's first word: the subcommand's name, unless that was left out.
+int run_subcommand(const Subcommand& subcommand, std::vector<std::string> arguments, const std::string& first) {
+  const std::string name_given = first == subcommand.name ? first + ' ' : "";
+  CLI::App app;
+  app.set_help_flag("-h,--help", "prints this");
+  const Action action = subcommand.declare(app);
+  join_optional_values(arguments);
   try {
     std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
     app.parse(std::move(arguments));
     return action();
+  } catch (const CLI::CallForHelp&) {
+    print(help(subcommand, app));
+    return exit_fine;
+  } catch (const CLI::ExtrasError&) {
+    return usage_error(about_extras(app.remaining(), app, first), name_given);
   } catch (const CLI::ParseError& error) {
-    return usage_error(error.what() + hint, name_given);
+    return usage_error(as_sentence(error.what()), name_given);
   } catch (const UsageError& error) {
     return usage_error(error.what(), name_given);
   }
@@ -82,9 +105,9 @@ int dispatch(std::vector<std::string> arguments) {
   }
   if (const Subcommand* subcommand = find_subcommand(first)) {
     arguments.erase(arguments.begin());
-    return run_subcommand(*subcommand, std::move(arguments), first + ' ');
+    return run_subcommand(*subcommand, std::move(arguments), first);
   }
-  return run_subcommand(subcommands().front(), std::move(arguments), "");
+  return run_subcommand(subcommands().front(), std::move(arguments), first);
 }
 
 } // namespace

@@ -77,7 +77,6 @@ void require_folders(const std::vector<Output>& list) {
 
 PixelRect crop(const std::string& text, const scene::Resolution& size) {
   const auto n = parse_numbers(text, ',', 4);
-  if (!n) throw UsageError(fmt::format("--crop takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text));
   const PixelRect rect{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   if (rect.x0 < 0 || rect.y0 < 0 || rect.x1 <= rect.x0 || rect.y1 <= rect.y0 || rect.x1 > size[0] || rect.y1 > size[1])
     throw UsageError(fmt::format("--crop {} is no part of a picture of {}x{} (X1 and Y1 are not included)", text, size[0], size[1]));
@@ -153,24 +152,26 @@ int run_render(const RenderArguments& arguments) {
 
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  app.add_option("-o,--output", arguments->outputs, "the picture: .png .exr .ppm .pfm, or - for standard output")
+  app.add_option("-o,--output", arguments->outputs, ".png .exr .ppm .pfm, or - for standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   arguments->picture = add_picture_arguments(app);
-  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")->type_name("X0,Y0,X1,Y1");
+  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")->type_name("X0,Y0,X1,Y1")->check([](const std::string& text) {
+    return parse_numbers(text, ',', 4) ? "" : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
+  });
   app.add_option("--bits", arguments->bits, "of a sample in .png and .ppm: 8 or 16")
       ->type_name("N")
-      ->check([](const std::string& bits) { return bits == "8" || bits == "16" ? "" : "8 or 16"; });
+      ->check(one_of({"8", "16"}));
   app.add_option("--threads", arguments->threads, "how many; one for each core where not given")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   arguments->scene = add_scene_arguments(app);
-  app.add_flag("--stats{text}", arguments->statistics, "prints a table of what it took, or the same as JSON")
+  app.add_flag("--stats{text}", arguments->statistics, "prints what it took as a table, or as JSON")
       ->type_name("[json]")
-      ->check([](const std::string& form) { return form == "text" || form == "json" ? "" : "text or json"; });
-  app.add_option("--format", arguments->format, "for - and other names: png (where not given), exr, ppm or pfm")
+      ->check(one_of({"text", "json"}));
+  app.add_option("--format", arguments->format, "for - and other names: png (default), exr, ppm, pfm")
       ->type_name("NAME")
-      ->check([](const std::string& name) { return format_by_name(name) ? "" : "png, exr, ppm or pfm"; })
+      ->check(one_of({"png", "exr", "ppm", "pfm"}))
       ->group(further_options);
   app.add_flag("--keep-partial", arguments->keeps_partial, "writes what there is when Ctrl-C stops it")
       ->group(further_options);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <limits>
 #include <system_error>
 
@@ -59,23 +58,17 @@ void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std:
       ->group(further_options);
 }
 
-/// "" for one of the words `known`, otherwise what CLI11 is to say.
-std::string check_word(const std::string& word, std::initializer_list<std::string_view> known) {
-  if (std::find(known.begin(), known.end(), word) != known.end()) return "";
-  return fmt::format("`{}` is not one of {}", word, fmt::join(known, ", "));
-}
-
 } // namespace
 
 std::shared_ptr<SceneArguments> add_text_arguments(CLI::App& app) {
   auto arguments = std::make_shared<SceneArguments>();
-  app.add_option("SCENE", arguments->path, "the scene's file, - for standard input")->required()->group("");
+  app.add_option("SCENE", arguments->path, "the scene's file, - for standard input")->required()->group("Arguments");
   app.add_option_function<std::string>(
          "--diagnostics",
          [arguments = arguments.get()](const std::string& form) { arguments->json_diagnostics = form == "json"; },
          "how mistakes are told: text or json")
       ->type_name("FORM")
-      ->check([](const std::string& form) { return check_word(form, {"text", "json"}); });
+      ->check(one_of({"text", "json"}));
   return arguments;
 }
 
@@ -86,8 +79,8 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
   app.add_option("-D", arguments->defines, "sets a `param` of the scene; can be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("-q,--quiet", arguments->is_quiet, "only errors and warnings on standard error");
-  app.add_option("--include-root", options.include_roots, "a further folder that `include` and `use` may read")
+  app.add_flag("-q,--quiet", arguments->is_quiet, "tells only errors and warnings");
+  app.add_option("--include-root", options.include_roots, "a further folder to include from")
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->group(further_options);
@@ -130,40 +123,74 @@ lang::Loaded load(const SceneArguments& arguments) {
   return loaded;
 }
 
-std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app) {
-  auto arguments = std::make_shared<PictureArguments>();
-  app.add_option("--size", arguments->size, "width and height in pixels, in place of the scene's")->type_name("WxH");
-  app.add_option("--samples", arguments->samples, "rays for each pixel, a square number")->type_name("N");
-  app.add_option("--max-depth", arguments->max_depth, "how often a ray may be mirrored or refracted")->type_name("N");
-  return arguments;
-}
-
 namespace {
 
-/// Sets a number of the scene through its field, whose constraint it must meet.
-void set(scene::Scene& scene, std::string_view field_name, const std::string& option, const std::vector<int>& numbers) {
-  const auto table = scene::fields(static_cast<const scene::Scene*>(nullptr));
-  const auto field = std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == field_name; });
+/// Why a number is not allowed for a field of the scene's; "" where it is.
+std::string check_field(std::string_view name, const std::vector<int>& numbers) {
+  scene::Scene scene;
+  const auto table = scene::fields(&scene);
+  const auto field = std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == name; });
+  const scene::Constraint& constraint = field->constraint;
   for (const int number : numbers) {
-    if (number < field->constraint.min || number > field->constraint.max)
-      throw UsageError(fmt::format("{} takes whole numbers from {:.0f} to {:.0f}, not {}", option, field->constraint.min,
-                                   field->constraint.max, number));
+    if (number < constraint.min || number > constraint.max)
+      return fmt::format("takes whole numbers from {:.0f} to {:.0f}, not {}", constraint.min, constraint.max, number);
   }
-  if (field->type == scene::FieldType::resolution) field->set(&scene, scene::Resolution{numbers[0], numbers[1]});
-  else field->set(&scene, static_cast<double>(numbers[0]));
+  if (field->type == scene::FieldType::resolution) return "";
+  field->set(&scene, static_cast<double>(numbers[0]));
+  const auto problem = check(scene);
+  return problem ? fmt::format("cannot be {}: {}", numbers[0], problem->message) : "";
+}
+
+/// Adds an option that overrides a whole number of the scene.
+void add_override(CLI::App& app, const std::string& option, std::string_view field, std::optional<int>& value,
+                  const char* text) {
+  app.add_option(option, value, text)->type_name("N")->check([field](const std::string& word) {
+    const auto number = parse_numbers(word, ',', 1);
+    return number ? check_field(field, *number) : fmt::format("takes a whole number, not `{}`", word);
+  });
 }
 
 } // namespace
 
+std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app) {
+  auto arguments = std::make_shared<PictureArguments>();
+  app.add_option_function<std::string>(
+         "--size",
+         [arguments = arguments.get()](const std::string& text) {
+           const auto numbers = parse_numbers(text, 'x', 2);
+           arguments->size = {(*numbers)[0], (*numbers)[1]};
+         },
+         "width and height, in place of the scene's")
+      ->type_name("WxH")
+      ->check([](const std::string& text) {
+        const auto numbers = parse_numbers(text, 'x', 2);
+        return numbers ? check_field("size", *numbers)
+                       : fmt::format("takes width and height, as in 800x600, not `{}`", text);
+      });
+  add_override(app, "--samples", "samples", arguments->samples, "rays for each pixel, a square number");
+  add_override(app, "--max-depth", "max_depth", arguments->max_depth, "how often a ray may be mirrored or refracted");
+  return arguments;
+}
+
 void apply(const PictureArguments& arguments, scene::Scene& scene) {
-  if (!arguments.size.empty()) {
-    const auto numbers = parse_numbers(arguments.size, 'x', 2);
-    if (!numbers) throw UsageError(fmt::format("--size takes width and height, as in 800x600, not `{}`", arguments.size));
-    set(scene, "size", "--size", *numbers);
-  }
-  if (arguments.samples) set(scene, "samples", "--samples", {*arguments.samples});
-  if (arguments.max_depth) set(scene, "max_depth", "--max-depth", {*arguments.max_depth});
-  if (const auto problem = check(scene)) throw UsageError(problem->message);
+  scene.size = arguments.size.value_or(scene.size);
+  scene.samples = arguments.samples.value_or(scene.samples);
+  scene.max_depth = arguments.max_depth.value_or(scene.max_depth);
+}
+
+std::function<std::string(const std::string&)> one_of(std::vector<std::string> words) {
+  return [words = std::move(words)](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return "";
+    return fmt::format("takes {}, not `{}`", fmt::join(words, " or "), word);
+  };
+}
+
+std::function<std::string(const std::string&)> whole_number(int least, int greatest) {
+  return [=](const std::string& word) -> std::string {
+    const auto number = parse_numbers(word, ',', 1);
+    if (number && number->front() >= least && number->front() <= greatest) return "";
+    return fmt::format("takes a whole number from {} to {}, not `{}`", least, greatest, word);
+  };
 }
 
 } // namespace rt::tools

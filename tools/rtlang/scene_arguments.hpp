@@ -2,6 +2,7 @@
 
 #include "lang/load.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,16 +40,21 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 /// cannot be read.
 lang::Loaded load(const SceneArguments& arguments);
 
-/// What overrides the scene's own settings: --size, --samples and --max-depth.
+/// What overrides the scene's own settings: --size, --samples and --max-depth, each checked as the scene's field is.
 struct PictureArguments {
-  std::string size; ///< "WxH", or empty
+  std::optional<scene::Resolution> size;
   std::optional<int> samples;
   std::optional<int> max_depth;
 };
 
 std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app);
 
-/// Puts the overrides into the scene. Throws UsageError for what the scene's fields do not allow.
+/// Puts the overrides into the scene.
 void apply(const PictureArguments& arguments, scene::Scene& scene);
+
+/// A check of CLI11's for an option that takes one of these words.
+std::function<std::string(const std::string&)> one_of(std::vector<std::string> words);
+/// The same for a whole number from `least` to `greatest`.
+std::function<std::string(const std::string&)> whole_number(int least, int greatest);
 
 } // namespace rt::tools

@@ -29,6 +29,8 @@ double rays_per_second(const RenderStatistics& render) {
   return render.trace_seconds > 0 ? static_cast<double>(count_rays(render)) / render.trace_seconds : 0;
 }
 
+std::string bytes(std::uint64_t value) { return human(static_cast<double>(value)) + (value < 1000 ? " B" : "B"); }
+
 std::string seconds(double value) { return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1); }
 
 } // namespace
@@ -55,14 +57,14 @@ std::string table(const RunStatistics& s) {
   row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
                           count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
   row("speed", fmt::format("{} rays/s on {} threads", human(rays_per_second(r)), r.threads));
-  row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({}B of text, {} steps)", seconds(s.load_seconds),
+  row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({} of text, {} steps)", seconds(s.load_seconds),
                           seconds(s.load.parse_seconds), seconds(s.load.check_seconds), seconds(s.load.evaluate_seconds),
-                          count(s.load.bytes), count(s.load.steps)));
+                          bytes(s.load.bytes), count(s.load.steps)));
   row("render", fmt::format("build {}, trace {}", seconds(r.build_seconds), seconds(r.trace_seconds)));
   row("write", seconds(s.write_seconds));
   row("total", fmt::format("{} (CPU: {} user, {} system)", seconds(s.total_seconds), seconds(own.user_seconds),
                            seconds(own.system_seconds)));
-  row("memory", fmt::format("{}B at the most", count(own.peak_bytes)));
+  row("memory", bytes(own.peak_bytes) + " at the most");
   return text;
 }
 

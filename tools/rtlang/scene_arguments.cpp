@@ -181,7 +181,7 @@ void apply(const PictureArguments& arguments, scene::Scene& scene) {
 std::function<std::string(const std::string&)> one_of(std::vector<std::string> words) {
   return [words = std::move(words)](const std::string& word) -> std::string {
     if (std::find(words.begin(), words.end(), word) != words.end()) return "";
-    return fmt::format("takes {}, not `{}`", fmt::join(words, " or "), word);
+    return fmt::format("takes one of {}, not `{}`", fmt::join(words, ", "), word);
   };
 }
 

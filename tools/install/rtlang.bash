@@ -1,0 +1,39 @@
+# Completion for bash. What can be said is read off the program's own help, so that it is always that of this version.
+
+_rtlang() {
+  local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  local commands command=render words=
+  commands=$("$program" --help 2>/dev/null | sed -n '/^Commands/,/^$/s/^  \([a-z]\{1,\}\).*/\1/p')
+  if ((COMP_CWORD > 1)) && [[ " ${commands//$'\n'/ } " == *" ${COMP_WORDS[1]} "* ]]; then
+    command=${COMP_WORDS[1]}
+  fi
+
+  case $previous in
+    --diagnostics) words='text json' ;;
+    --format) words='png exr ppm pfm' ;;
+    --bits) words='8 16' ;;
+    --stats) words='json' ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --ray | --at | --gate | --scenes | --seed) return ;;
+  esac
+  if [[ $word == -* ]]; then
+    words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')
+  elif [[ $command == explain ]]; then
+    words=$("$program" explain 2>/dev/null | sed 's/ .*//')
+  elif ((COMP_CWORD == 1)); then
+    words=$commands
+  fi
+
+  local IFS=$' \t\n'
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+  [[ $word == -* || $command == explain ]] && return
+  compopt -o filenames 2>/dev/null
+  IFS=$'\n'
+  case $previous in
+    -o | --output | --report) COMPREPLY+=($(compgen -f -- "$word")) ;;
+    --include-root) COMPREPLY+=($(compgen -d -- "$word")) ;;
+    --diagnostics | --format | --bits) ;;
+    *) COMPREPLY+=($(compgen -f -X '!*.@(rtl|png|exr|ppm|pgm|pfm)' -- "$word") $(compgen -d -- "$word")) ;;
+  esac
+}
+
+complete -F _rtlang rtlang

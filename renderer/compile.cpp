@@ -8,7 +8,8 @@
 namespace rt {
 namespace {
 
-// Fewer leaves are faster to go through than a tree.
+// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the order
+// from near to far: without it a group of groups of groups costs as much as all its copies.
 constexpr std::size_t least_for_tree = 4;
 
 // Objects of one list on the way through the groups that are taken apart.
@@ -204,7 +205,9 @@ private:
       count += leaves.size();
     });
     add_loose(a.unbounded_);
-    if (count < least_for_tree) return add_loose(a.bounded_);
+    if (count == 0) return;
+    const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;
+    if (count < least_for_tree && !has_large) return add_loose(a.bounded_);
     a.tree_ = accel::Tree(*compiled_.device_, box);
     a.bounded_.for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
     a.tree_.build();

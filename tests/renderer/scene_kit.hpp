@@ -49,9 +49,7 @@ struct Kit {
   Thing combination(scene::Combination::Operation operation, std::vector<scene::Object> operands) {
     return shape(scene::Combination{operation, std::move(operands)});
   }
-  Thing unite(std::vector<scene::Object> o) {
-    return combination(scene::Combination::Operation::unite, std::move(o));
-  }
+  Thing unite(std::vector<scene::Object> o) { return combination(scene::Combination::Operation::unite, std::move(o)); }
   Thing intersect(std::vector<scene::Object> o) {
     return combination(scene::Combination::Operation::intersect, std::move(o));
   }

@@ -1,0 +1,126 @@
+#include "lang/builtins/builtins.hpp"
+#include "renderer/math/affine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rt::lang::builtins {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// `f` of a number, or of each number of a vector.
+template <double (*f)(double)> Value each(BuiltinCall& c) {
+  if (c[0].is_number()) return f(c.number(0));
+  const Vec3& v = c.vector(0);
+  if (c[0].vector_size() == 2) return Value::point(f(v.x), f(v.y));
+  return Vec3{f(v.x), f(v.y), f(v.z)};
+}
+
+double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
+double magnitude(double x) { return std::abs(x); }
+double floor_of(double x) { return std::floor(x); }
+double ceil_of(double x) { return std::ceil(x); }
+double round_of(double x) { return std::round(x); }
+double trunc_of(double x) { return std::trunc(x); }
+
+Value sine(BuiltinCall& c) { return sin_degrees(c.number(0)); }
+Value cosine(BuiltinCall& c) { return cos_degrees(c.number(0)); }
+Value tangent(BuiltinCall& c) { return sin_degrees(c.number(0)) / cos_degrees(c.number(0)); }
+
+/// The argument of asin or acos; rounding may have carried it a little beyond 1.
+std::optional<double> ratio(BuiltinCall& c) {
+  constexpr double slack = 1e-12;
+  const double x = c.number(0);
+  if (std::abs(x) > 1 + slack) {
+    c.fail(0, "no angle has this sine or cosine: it must be from -1 to 1", "this is " + format_number(x));
+    return std::nullopt;
+  }
+  return std::clamp(x, -1.0, 1.0);
+}
+
+Value arc_sine(BuiltinCall& c) {
+  const auto x = ratio(c);
+  return x ? Value(std::asin(*x) * degrees) : Value::poison();
+}
+Value arc_cosine(BuiltinCall& c) {
+  const auto x = ratio(c);
+  return x ? Value(std::acos(*x) * degrees) : Value::poison();
+}
+Value arc_tangent(BuiltinCall& c) { return std::atan(c.number(0)) * degrees; }
+Value arc_tangent2(BuiltinCall& c) { return std::atan2(c.number(0), c.number(1)) * degrees; }
+
+Value square_root(BuiltinCall& c) {
+  const double x = c.number(0);
+  if (x < 0) return c.fail(0, "a negative number has no square root", "this is " + format_number(x));
+  return std::sqrt(x);
+}
+
+template <double (*f)(double)> Value logarithm(BuiltinCall& c) {
+  const double x = c.number(0);
+  if (x <= 0) return c.fail(0, "only a number greater than 0 has a logarithm", "this is " + format_number(x));
+  return f(x);
+}
+double natural_log(double x) { return std::log(x); }
+double binary_log(double x) { return std::log2(x); }
+double decimal_log(double x) { return std::log10(x); }
+
+Value exponential(BuiltinCall& c) { return std::exp(c.number(0)); }
+Value power(BuiltinCall& c) { return std::pow(c.number(0), c.number(1)); }
+Value modulo(BuiltinCall& c) {
+  const double a = c.number(0), b = c.number(1);
+  return a - b * std::floor(a / b);
+}
+
+Value hypotenuse(BuiltinCall& c) {
+  double sum = 0;
+  for (std::size_t i = 0; i < c.arguments.size(); ++i) sum = std::hypot(sum, c.number(i));
+  return sum;
+}
+
+Value clamped(BuiltinCall& c) {
+  const double low = c.number_or(1, 0), high = c.number_or(2, 1);
+  if (low > high) return c.fail(1, "the lower bound is above the upper one");
+  return std::clamp(c.number(0), low, high);
+}
+
+Value smooth_step(BuiltinCall& c) {
+  const double low = c.number(0), high = c.number(1), x = c.number(2);
+  if (low == high) return x < low ? 0.0 : 1.0;
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+} // namespace
+
+std::span<const Builtin> maths() {
+  static constexpr Builtin table[] = {
+      {"sin", "angle: number", "sine of an angle in degrees", sine},
+      {"cos", "angle: number", "cosine of an angle in degrees", cosine},
+      {"tan", "angle: number", "tangent of an angle in degrees", tangent},
+      {"asin", "x: number", "the angle from -90 to 90 degrees with this sine", arc_sine},
+      {"acos", "x: number", "the angle from 0 to 180 degrees with this cosine", arc_cosine},
+      {"atan", "x: number", "the angle from -90 to 90 degrees with this tangent", arc_tangent},
+      {"atan2", "y: number, x: number", "the angle of the point (x, y) from -180 to 180 degrees", arc_tangent2},
+      {"sqrt", "x: number", "square root", square_root},
+      {"abs", "x: number or point", "without its sign; of each number of a vector", each<magnitude>},
+      {"sign", "x: number or point", "-1, 0 or 1", each<sign_of>},
+      {"floor", "x: number or point", "the next whole number below", each<floor_of>},
+      {"ceil", "x: number or point", "the next whole number above", each<ceil_of>},
+      {"round", "x: number or point", "the nearest whole number; halves away from 0", each<round_of>},
+      {"trunc", "x: number or point", "the whole part, towards 0", each<trunc_of>},
+      {"clamp", "x: number, low: number = 0, high: number = 1", "x held between two bounds", clamped},
+      {"smoothstep", "low: number, high: number, x: number", "0 below low, 1 above high, an S-curve between", smooth_step},
+      {"pow", "base: number, exponent: number", "base ^ exponent", power},
+      {"exp", "x: number", "e ^ x", exponential},
+      {"log", "x: number", "natural logarithm", logarithm<natural_log>},
+      {"log2", "x: number", "logarithm to base 2", logarithm<binary_log>},
+      {"log10", "x: number", "logarithm to base 10", logarithm<decimal_log>},
+      {"hypot", "x…: number", "square root of the sum of the squares", hypotenuse},
+      {"mod", "a: number, b: number", "a % b: the remainder, with the sign of b", modulo},
+  };
+  return table;
+}
+
+} // namespace rt::lang::builtins

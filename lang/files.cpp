@@ -1,0 +1,115 @@
+#include "lang/files.hpp"
+
+#include "lang/parse.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fmt/format.h>
+#include <fstream>
+#include <system_error>
+
+namespace rt::lang {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(path, error);
+  return error ? fs::absolute(path).lexically_normal() : whole;
+}
+
+bool is_within(const fs::path& path, const fs::path& folder) {
+  const auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  // A folder written with a slash at its end has an empty last part.
+  return in_folder == folder.end() || (std::next(in_folder) == folder.end() && in_folder->empty());
+}
+
+} // namespace
+
+std::string read_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw std::system_error(EISDIR, std::generic_category(), path.string());
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::system_error(errno, std::generic_category(), path.string());
+  std::string text;
+  const auto size = fs::file_size(path, error);
+  if (!error) text.reserve(size);
+  char buffer[1 << 16];
+  while (in.read(buffer, sizeof buffer) || in.gcount() > 0) text.append(buffer, static_cast<std::size_t>(in.gcount()));
+  if (in.bad()) throw std::system_error(EIO, std::generic_category(), path.string());
+  return text;
+}
+
+Files::Files(Program& program, Report& report, const fs::path& folder, const std::vector<std::string>& roots)
+    : program_(program), report_(report), folder_(resolved(folder.empty() ? fs::path(".") : folder)) {
+  for (const std::string& root : roots) roots_.push_back(resolved(root));
+}
+
+Unit& Files::parse_text(std::string name, std::string path, std::string text, Span included_from) {
+  const auto start = std::chrono::steady_clock::now();
+  bytes_ += text.size();
+  const FileId file = program_.sources.add(std::move(name), std::move(path), std::move(text), included_from);
+  ParseOptions options;
+  options.folds_repeats = true;
+  Parsed parsed = parse(program_.sources, file, program_.symbols, options);
+  report_.take(std::move(parsed.diagnostics));
+  Unit& unit = program_.units.emplace_back();
+  unit.ast = std::move(parsed.ast);
+  parse_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return unit;
+}
+
+Unit& Files::parse_expression_text(std::string name, std::string text) {
+  const FileId file = program_.sources.add(std::move(name), {}, std::move(text));
+  Parsed parsed = parse_expression(program_.sources, file, program_.symbols);
+  report_.take(std::move(parsed.diagnostics));
+  Unit& unit = program_.units.emplace_back();
+  unit.ast = std::move(parsed.ast);
+  return unit;
+}
+
+bool Files::is_allowed(const fs::path& path) const {
+  return is_within(path, folder_) || std::ranges::any_of(roots_, [&](const fs::path& root) { return is_within(path, root); });
+}
+
+fs::path Files::find(std::string_view path, Span place) {
+  const std::string& from = program_.sources.file(place.file).path;
+  const fs::path base = from.empty() ? folder_ : fs::path(from).parent_path();
+  fs::path found = resolved(base / path);
+  std::error_code error;
+  if (!fs::exists(found, error)) {
+    for (const fs::path& root : roots_) {
+      const fs::path other = resolved(root / path);
+      if (fs::exists(other, error)) found = other;
+    }
+  }
+  if (is_allowed(found)) return found;
+  if (Diagnostic* d = report_.error("E0603", place)) {
+    d->message = "this file is outside of the scene's folder";
+    d->label = fmt::format("this is {}", found.string());
+    d->notes.push_back({std::nullopt, fmt::format("files are read from {} and the folders in it", folder_.string())});
+    d->notes.push_back({std::nullopt, "`--include-root FOLDER` on the command line allows another folder"});
+  }
+  return {};
+}
+
+Unit* Files::read(const fs::path& path, Span place) {
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const std::system_error& failure) {
+    if (Diagnostic* d = report_.error("E0601", place)) {
+      d->message = "this file cannot be read";
+      d->label = fmt::format("{}: {}", path.string(), failure.code().message());
+    }
+    return nullptr;
+  }
+  std::string name = path.string();
+  if (is_within(path, folder_)) name = path.lexically_relative(folder_).string();
+  return &parse_text(std::move(name), path.string(), std::move(text), place);
+}
+
+} // namespace rt::lang

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace rt::lang {
+
+class Heap;
+
+/// What a value is. From `string` on it lives on the heap and is shared.
+enum class ValueKind : std::uint8_t {
+  unset,   ///< a name whose line has not been reached
+  poison,  ///< what an expression in error gives: whatever is made of it is poison too, without a word
+  none,
+  boolean,
+  number,
+  vector,  ///< a list of two or three numbers
+  color,
+  range,
+  fade,
+  choice,  ///< a word such as `orthographic`
+  builtin, ///< a built-in function
+  string,
+  list,    ///< any other list
+  record,
+  closure, ///< a function of the scene's
+  thing,
+  module,
+  // Never values, but on the heap like them:
+  frame, chain, content
+};
+
+/// The head of everything on the heap. Cells are counted references, and nothing in them ever changes that a value
+/// could see.
+struct Cell {
+  Heap* heap = nullptr;
+  std::uint32_t references = 0;
+  ValueKind kind = ValueKind::none;
+  std::uint16_t depth = 0; ///< how deep lists, records and things are nested in it
+};
+
+/// The memory of one evaluation: cells by size class, and how many bytes are in use. Freeing a long chain of cells takes
+/// no recursion. Everything allocated must be gone before the heap is.
+class Heap {
+public:
+  Heap() = default;
+  Heap(const Heap&) = delete;
+  Heap& operator=(const Heap&) = delete;
+  ~Heap();
+
+  /// A new cell of type T with `extra` bytes behind it; without references yet.
+  template <class T, class... Arguments> T* make(std::size_t extra, Arguments&&... arguments) {
+    T* cell = new (allocate(sizeof(T) + extra)) T(std::forward<Arguments>(arguments)...);
+    cell->heap = this;
+    cell->kind = T::cell_kind;
+    return cell;
+  }
+
+  /// Called when the last reference to a cell is gone.
+  void release(Cell* cell);
+
+  /// Memory that cells own outside of the heap (the elements of a list).
+  void charge(std::size_t bytes) { bytes_ += bytes; }
+  void discharge(std::size_t bytes) { bytes_ -= bytes; }
+  std::uint64_t bytes() const { return bytes_; }
+
+private:
+  static constexpr std::size_t granule = 16;
+  static constexpr std::size_t largest = 512; // bigger cells come from `operator new`
+  static constexpr std::size_t chunk_size = std::size_t{64} << 10;
+
+  void* allocate(std::size_t bytes);
+  void deallocate(void* memory, std::size_t bytes);
+  void destroy(Cell* cell);
+
+  struct Free { Free* next; };
+  std::array<Free*, largest / granule + 1> free_{};
+  std::vector<std::byte*> chunks_;
+  std::byte* next_ = nullptr;
+  std::byte* end_ = nullptr;
+  std::vector<Cell*> dead_;
+  bool is_draining_ = false;
+  std::uint64_t bytes_ = 0;
+};
+
+/// A counted reference to a cell, or none.
+template <class T> class Ref {
+public:
+  Ref() = default;
+  explicit Ref(T* cell) : cell_(cell) { retain(); }
+  Ref(const Ref& other) : cell_(other.cell_) { retain(); }
+  Ref(Ref&& other) noexcept : cell_(std::exchange(other.cell_, nullptr)) {}
+  Ref& operator=(Ref other) noexcept {
+    std::swap(cell_, other.cell_);
+    return *this;
+  }
+  ~Ref() {
+    if (cell_ && --cell_->references == 0) cell_->heap->release(cell_);
+  }
+
+  T* get() const { return cell_; }
+  T& operator*() const { return *cell_; }
+  T* operator->() const { return cell_; }
+  explicit operator bool() const { return cell_ != nullptr; }
+  friend bool operator==(const Ref&, const Ref&) = default;
+
+private:
+  void retain() const {
+    if (cell_) ++cell_->references;
+  }
+  T* cell_ = nullptr;
+};
+
+} // namespace rt::lang

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "lang/nouns.hpp"
+#include "lang/value.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rt::lang {
+
+/// A property that was written: its position in `Noun::properties`, or `parameter_id` of a def's parameter.
+struct PropertyValue {
+  Value value;
+  Span span; ///< of the value
+  std::uint16_t id = 0;
+};
+
+inline constexpr std::uint16_t parameter_bit = 0x8000;
+constexpr std::uint16_t parameter_id(std::size_t parameter) { return static_cast<std::uint16_t>(parameter_bit | parameter); }
+
+/// The steps of `.scale(…)`, `.rotate(…)` and so on.
+struct Chain : Cell {
+  static constexpr ValueKind cell_kind = ValueKind::chain;
+  std::vector<scene::Step> steps;
+};
+
+/// What a composite holds, shared by all its copies: placed often, it is one shape with many objects.
+struct Content : Cell {
+  static constexpr ValueKind cell_kind = ValueKind::content;
+  std::vector<scene::Object> members;         ///< until `shape` is made of them
+  std::vector<scene::Light> lights;
+  std::vector<PropertyValue> defaults;        ///< the properties in a def's body
+  std::optional<scene::ShapeRef> shape;       ///< in the scene's shapes
+  bool is_nothing = false;                    ///< neither members nor lights
+};
+
+/// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a copy
+/// with changes is another thing.
+struct Thing : Cell {
+  static constexpr ValueKind cell_kind = ValueKind::thing;
+  const Noun* noun = nullptr;         ///< `group` for what a def makes
+  const FunctionInfo* def = nullptr;
+  Ref<Frame> def_frame;               ///< where the def was declared
+  std::vector<PropertyValue> properties;
+  Ref<Chain> chain;
+  mutable Ref<Content> content;       ///< of a def: once its body was run
+  Span span;                          ///< where it was written
+  std::optional<Color> color_name;    ///< `gold` is a material and the name of a colour
+
+  // Remembered by the builder of the scene description, so that copies share what they have in common.
+  mutable std::optional<scene::ShapeRef> shape;
+  mutable std::uint32_t built = 0xffffffff; ///< id of the material or pattern
+
+  const PropertyValue* find(std::uint16_t id) const {
+    for (const PropertyValue& p : properties) {
+      if (p.id == id) return &p;
+    }
+    return nullptr;
+  }
+};
+
+inline Thing& Value::thing() const { return *static_cast<Thing*>(expect(ValueKind::thing).cell); }
+
+} // namespace rt::lang

@@ -5,6 +5,10 @@
 
 namespace rt::lang {
 
+namespace {
+constexpr std::size_t top_level_activations = 2; // the library's, and the file's
+}
+
 void check(Program& program, Files& files, Report& report) {
   std::vector<std::string> open_files;
   Checker(program, files, report, open_files).check_library();
@@ -61,6 +65,7 @@ void Checker::check_main() {
 }
 
 void Checker::check_module(ModuleInfo& module) {
+  module_ = &module;
   declare_library();
   begin_activation();
   top_scope_ = scopes_.size();
@@ -103,6 +108,8 @@ void Checker::hoist_function(Unit& unit, NodeId item) {
     const Parameter parameter = unit.ast.parameter(node);
     info.parameters.push_back({unit.ast.symbol(parameter.name), 0, parameter.default_value, parameter.name});
   }
+  info.is_at_top_level = activations_.size() == top_level_activations;
+  info.module = module_;
   set_function_index(unit.ast[item], index);
   Binding* binding = declare(unit, function.name, Binding::What::function);
   binding->slot = index;

@@ -142,6 +142,7 @@ private:
   Symbol being_bound_ = no_symbol;       // the name on the left of the `=` whose right side is being read
   bool names_are_missing_ = false;       // a file could not be read: names that are not found may have stood there
   bool is_main_ = false;
+  const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
 };
 
 /// What another language calls something, and what it is here; empty where the word is not known.

@@ -39,14 +39,15 @@ struct FunctionInfo {
     NodeId default_value = no_node;
     NodeId node = no_node;
   };
-  const Unit* unit = nullptr;
+  Unit* unit = nullptr;
   NodeId node = no_node;
   Kind kind = Kind::fn; ///< def, fn or lambda
   Symbol name = no_symbol;
   std::vector<Parameter> parameters;
   NodeId body = no_node;
   std::uint32_t frame_size = 0;
-  bool is_broken = false;      ///< its parameters are in error: a call is poison
+  bool is_at_top_level = false;        ///< of its file
+  const ModuleInfo* module = nullptr;  ///< the used file it stands in, null for the scene itself
   mutable bool was_run = false;
 
   std::optional<std::size_t> find(Symbol parameter) const {
@@ -109,6 +110,12 @@ struct Program {
   std::vector<Symbol> param_names; ///< of the main file and what it includes
 
   Program();
+  const Define* find_define(Symbol name) const {
+    for (const Define& define : defines) {
+      if (define.name == name) return &define;
+    }
+    return nullptr;
+  }
 };
 
 /// The index in `Program::functions` of a def, fn or lambda; check writes it into the node's parts that are its to use.

@@ -32,7 +32,9 @@ struct Content : Cell {
   std::vector<scene::Light> lights;
   std::vector<PropertyValue> defaults;        ///< the properties in a def's body
   std::optional<scene::ShapeRef> shape;       ///< in the scene's shapes
-  bool is_nothing = false;                    ///< neither members nor lights
+  bool is_pending = false;                    ///< of a def whose body was not run yet
+  bool is_nothing = false;                    ///< there are no members
+  bool is_cut = false;                        ///< a difference or intersection that nothing is left of
 };
 
 /// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a copy

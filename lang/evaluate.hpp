@@ -1,0 +1,22 @@
+#pragma once
+
+#include "lang/load.hpp"
+#include "lang/program.hpp"
+#include "lang/report.hpp"
+
+#include <atomic>
+#include <cstdint>
+
+namespace rt::lang {
+
+struct Evaluated {
+  scene::Scene scene;
+  std::uint64_t steps = 0;
+};
+
+/// Runs a checked program: what it says becomes the scene, with a camera and a light where it has none. The scene is
+/// worth looking at only if the report has no error afterwards; parts that are in error are passed over, so that one run
+/// finds as many mistakes as there are. Trees are changed by it (repeats become one another), and not restored.
+Evaluated evaluate(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop);
+
+} // namespace rt::lang

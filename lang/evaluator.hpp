@@ -1,0 +1,235 @@
+#pragma once
+
+#include "lang/build.hpp"
+#include "lang/builtins/builtins.hpp"
+#include "lang/evaluate.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace rt::lang {
+
+/// Where an expression is evaluated: its text and the names around it.
+struct Context {
+  Unit* unit;
+  Frame* frame;
+  Ast& ast() const { return unit->ast; }
+};
+
+/// Properties as they come in, for a thing or for the scene.
+struct Gathered {
+  const Noun* noun = nullptr;
+  const FunctionInfo* def = nullptr; ///< its parameters come first
+  std::vector<PropertyValue> values; ///< to begin with, what is inherited
+  struct Written {
+    std::uint16_t id;
+    Span name;
+  };
+  std::vector<Written> written;      ///< in this block
+};
+
+/// What the items of a block are put into.
+struct Target {
+  enum class Kind : std::uint8_t {
+    scene,
+    content,  ///< of a group, a combination or a def
+    bare,     ///< the block of a thing that nothing can be put into
+    discarded ///< the top level of a file that `use` reads
+  };
+  Kind kind = Kind::bare;
+  std::vector<scene::Object>* objects = nullptr;
+  std::vector<scene::Light>* lights = nullptr;
+  const Noun* noun = nullptr;     ///< the composite that is filled
+  Gathered* properties = nullptr; ///< null where the block is of something in error
+  std::uint16_t depth = 0;        ///< of what was put in
+  std::uint32_t things = 0;       ///< how many were put in
+  bool is_first_missing = false;  ///< the first operand is nothing
+  bool is_one_missing = false;    ///< an operand is nothing
+  Span owner;                     ///< the thing whose block it is, for messages
+};
+
+/// The pass that runs a program. One per run.
+class Evaluator {
+public:
+  /// `stack_limit` is the lowest address that the stack may reach.
+  Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop, const char* stack_limit);
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+  ~Evaluator();
+  Evaluated run();
+
+private:
+  friend class ArgumentList;
+  friend class FrameScope;
+
+  /// Ends the evaluation: a limit is passed, and reported.
+  struct Ended {};
+  struct Call {
+    const FunctionInfo* function;
+    Span place;
+    const Call* caller;
+  };
+
+  // Files and functions (evaluate.cpp)
+  void run_program();
+  void run_library();
+  void try_unused_functions();
+  Value module_value(const Context& context, NodeId item);
+  Value param_value(const Context& context, NodeId item);
+  Value within_range(const Value& value, Span place, const ParamItem& param, const Context& context);
+  void finish_scene();
+
+  // Limits (limits.cpp)
+  void spend(std::uint64_t steps, Span place) {
+    steps_ += steps;
+    if (steps_ >= next_look_) look_at_limits(place);
+  }
+  void look_at_limits(Span place);
+  void reserve(std::uint64_t bytes, Span place);
+  std::uint64_t bytes_in_use() const;
+  void count_objects(std::size_t count, Span place);
+  void check_depth(std::uint16_t depth, Span place);
+  void enter_call(Span place);
+  [[noreturn]] void end(std::string_view code, std::string message, std::string label, Span place);
+
+  // Messages
+  Diagnostic* error(std::string_view code, Span place);
+  Value fail(std::string_view code, Span place, std::string message, std::string label = {}, std::string advice = {});
+  void tell(const Mistake& mistake, Span place);
+  std::string_view name(Symbol symbol) const { return program_.symbols.name(symbol); }
+
+  // Expressions (evaluate_expression.cpp)
+  Value expression(NodeId node, const Context& context);
+  Value name_value(NodeId node, const Context& context);
+  Value function_value(const FunctionInfo& function, Frame* frame);
+  Value list_value(NodeId node, const Context& context);
+  Value record_value(NodeId node, const Context& context);
+  Value comprehension_value(NodeId node, const Context& context);
+  void comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items);
+  Value index_value(NodeId node, const Context& context);
+  Value member_value(NodeId node, const Context& context);
+  Value member_of(const Value& base, NodeId node, const Context& context);
+  Value thing_member(const Thing& thing, NodeId node, const Context& context);
+  Value range_value(NodeId node, const Context& context);
+  Value if_value(NodeId node, const Context& context);
+  Value value_block(NodeId block, const Context& context);
+  void declaration(NodeId item, const Context& context);
+  bool is_true(NodeId condition, const Context& context, bool& is_poison);
+
+  // Operators (operators.cpp)
+  Value unary_value(NodeId node, const Context& context);
+  Value binary_value(NodeId node, const Context& context);
+  Value logic_value(NodeId node, const Context& context);
+  Value arithmetic(Op op, const Value& left, const Value& right, Span place);
+  Value vector_arithmetic(Op op, const Value& left, const Value& right, Span place);
+  Value color_arithmetic(Op op, const Color& left, const Color& right, Span place);
+  Value comparison(Op op, const Value& left, const Value& right, Span place);
+  Value wrong_operands(Op op, const Value& left, const Value& right, Span place);
+
+  // Calls (evaluate_call.cpp)
+  Value call_value(NodeId node, const Context& context);
+  Value call_closure(const FunctionInfo& function, Frame* parent, NodeId node, const Context& context);
+  Value call_function(const Value& function, std::vector<Value> arguments, Span place);
+  Value run_body(const FunctionInfo& function, Frame* frame);
+  Value call_builtin(const Builtin& builtin, NodeId node, const Context& context);
+  Value call_builtin_with(const Builtin& builtin, std::vector<Value> values, Span place);
+  Value call_chain(const Value& base, const ChainMethod& method, NodeId node, const Context& context);
+  bool fill_defaults(const FunctionInfo& function, Frame& frame, Span place);
+  void leave(Ref<Frame> frame);
+
+  // Blocks and things (evaluate_block.cpp)
+  void items(NodeId block, const Context& context, Target& target);
+  void item(NodeId node, const Context& context, Target& target);
+  void repeat(NodeId node, const Context& context, Target& target);
+  void for_item(NodeId node, const Context& context, Target& target);
+  void if_item(NodeId node, const Context& context, Target& target);
+  void property_item(NodeId node, const Context& context, Target& target);
+  void set_property(Gathered& gathered, std::uint16_t id, Value value, Span place, Span name_place);
+  void put(const Value& value, Span place, Target& target);
+  void put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context, Target& target);
+  /// Calls body(context) for each element of the head of a `for`, its variables set.
+  template <class Body> void for_each(NodeId node, const Context& context, Body&& body);
+  bool is_loop_head(const Value& head, NodeId node, const Context& context);
+
+  // Things (things.cpp)
+  Value override_value(NodeId node, const Context& context);
+  Value simple_thing(NodeId node, const Context& context);
+  std::size_t simple_properties(NodeId node, const Context& context, const Noun& noun, std::span<PropertyValue> room);
+  Value changed_thing(Value base, NodeId node, const Context& context);
+  Value changed_record(const Record& base, NodeId node, const Context& context);
+  Value as_material(const Record& record, Span place);
+  Ref<Thing> new_thing(const Noun& noun, Span place);
+  Ref<Thing> copy_of(const Thing& thing);
+  void set_depth(Thing& thing, Span place);
+  static constexpr std::size_t most_properties = 64;
+  static constexpr std::uint16_t most_depth = 1'000;
+  static constexpr std::size_t most_instances = 1 << 16;
+  Ref<Content> content_cell(const Thing& thing);
+  Ref<Content> content(const Thing& thing);
+  static bool is_same_instance(const Thing& known, const Thing& thing);
+  void run_def(const Thing& thing, Content& content);
+  void begin_with(const Content& old, const Noun& noun, Content& members, Target& target);
+  void finish_content(Content& content, const Noun& noun, const Target& target, Span place);
+
+  // Putting things into the scene (placing.cpp)
+  struct Described {
+    const Noun* noun;
+    std::span<const PropertyValue> properties;
+    const Chain* chain;
+    Span place;
+    const Thing* thing; ///< null for what was never a value
+  };
+  void put_thing(const Described& described, Target& target);
+  void put_simple(NodeId node, const Context& context, Target& target);
+  void put_shape(const Described& described, Target& target);
+  void put_light(const Described& described, Target& target);
+  void put_camera(const Described& described, Target& target);
+  std::optional<scene::ShapeRef> shape(const Described& described);
+  std::optional<scene::ShapeRef> shared_shape(const Thing& thing);
+  bool make(const Described& described, void* room);
+  std::optional<Dress> dress(const Described& described, const Content* content);
+  std::optional<scene::ShapeRef> content_shape(Content& content, const Noun& noun, Span place);
+  void remember_places(Span place);
+  bool is_operand(const Described& described, scene::ShapeRef made);
+  void put_lights_of(const Content& inside, const Dress& clothes, const Described& described, Target& target);
+  static bool is_poisoned(std::span<const PropertyValue> properties);
+
+  // Solids (solids.cpp)
+  Value combine(Op op, Value left, Value right, NodeId node, const Context& context);
+  void begin_with_operands(const Content& old, bool has_members, Content& content, Target& target);
+  void add_operand(const Value& value, Span place, Target& target);
+  void check_media();
+
+  Program& program_;
+  Report& report_;
+  const Limits& limits_;
+  const std::atomic<bool>* stop_;
+  Heap heap_;
+  scene::Scene scene_;
+  Builder builder_;
+
+  std::uint64_t steps_ = 0;
+  std::uint64_t next_look_ = 0;
+  std::uint64_t objects_ = 0;
+  int recursion_ = 0;
+  const Call* calls_ = nullptr;
+  const char* stack_limit_;
+  int unsure_ = 0; // above 0: a condition is in error, so that what is read may never run; nothing is built
+
+  Ref<Frame> library_, main_;
+  std::vector<std::pair<const ModuleInfo*, Value>> modules_;
+  std::vector<Ref<Frame>> suspects_;   // frames that may be kept alive by what they hold
+  std::vector<Ref<Thing>> bare_things_; // of the built-in nouns
+  std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
+  Gathered scene_properties_;
+  std::optional<Span> camera_place_;
+  std::vector<Span> combination_places_; // by index of the combination
+  bool has_leftovers_ = false; // shapes may have been made that stand nowhere
+};
+
+} // namespace rt::lang

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace rt::lang {
+
+/// The standard library: `library/materials.rtl`, compiled in. Its names stand around those of every scene.
+std::string_view library_text();
+inline constexpr std::string_view library_name = "standard library";
+
+} // namespace rt::lang

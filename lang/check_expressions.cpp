@@ -256,7 +256,7 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
   if (base.what == Known::What::module) {
     const ModuleInfo::Export* found = base.module->find(member.symbol);
     if (!found) {
-      if (Diagnostic* d = report_.error("E0213", span)) {
+      if (Diagnostic* d = report_.error("E0212", span)) {
         std::vector<std::string_view> names;
         for (const ModuleInfo::Export& e : base.module->exports) names.push_back(name(e.name));
         const auto guess = nearest(word, names);
@@ -278,7 +278,7 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
     known.is_bare_noun = false;
     return known;
   }
-  if (Diagnostic* d = report_.error("E0213", span)) {
+  if (Diagnostic* d = report_.error("E0212", span)) {
     std::vector<std::string_view> names;
     for (const ChainMethod& method : chain_methods()) names.push_back(method.name);
     const auto guess = nearest(word, names);

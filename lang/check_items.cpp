@@ -217,7 +217,7 @@ const ModuleInfo* Checker::load_module(Unit& unit, NodeId item) {
 void Checker::check_param(Unit& unit, NodeId item) {
   const ParamItem param = unit.ast.param_item(item);
   if (!is_at_top_level()) {
-    if (Diagnostic* d = report_.error("E0219", unit.ast.span(param.name))) {
+    if (Diagnostic* d = report_.error("E0216", unit.ast.span(param.name))) {
       d->message = "`param` stands at the top level only";
       d->label = "here it could be bound with `=`";
     }

@@ -11,7 +11,7 @@ void Checker::check_property(Unit& unit, NodeId item) {
   const Owner& owner = scopes_.back().owner;
   if (owner.is_unknown) return;
   if (!owner.noun) {
-    if (Diagnostic* d = report_.error("E0215", unit.ast.named_span(item, program_.symbols))) {
+    if (Diagnostic* d = report_.error("E0213", unit.ast.named_span(item, program_.symbols))) {
       const std::string_view word = name(unit.ast.named(item).symbol);
       d->message = fmt::format("`{}:` sets a property, and there is no thing here that has one", word);
       d->label = fmt::format("to bind a name, write `{} = …`", word);

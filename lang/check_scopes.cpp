@@ -178,11 +178,11 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
     const Owner& owner = scopes_[i].owner;
     const bool is_property = (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.noun && owner.noun->find(symbol));
     if (is_property && !find_css_color(word))
-      return tell("E0217", fmt::format("`{}` is a property here, not a name", word), "a property is not a value to compute with",
+      return tell("E0214", fmt::format("`{}` is a property here, not a name", word), "a property is not a value to compute with",
                   Note{std::nullopt, fmt::format("bind a name before the block, `r = …`, and write it in both places: `{}: r`", word)});
   }
   if (const auto inner = bound_in_closed_block(unit.ast, span.begin, symbol))
-    return tell("E0218", fmt::format("`{}` is bound inside a block, and known only there", word), "not known here",
+    return tell("E0215", fmt::format("`{}` is bound inside a block, and known only there", word), "not known here",
                 Note{*inner, fmt::format("bound here; for a name that depends on a condition, write `{} = if … {{ … }} else {{ … }}`", word)});
   if (const std::string other = dialect_name(word); !other.empty())
     return tell("E0201", fmt::format("there is no `{}` in this language", word), other);

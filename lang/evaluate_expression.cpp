@@ -181,7 +181,7 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
   const Span place = ast.member_span(node, program_.symbols);
   const auto unknown = [&](std::string message, std::span<const std::string_view> names) {
     const auto guess = nearest(word, names);
-    return fail("E0213", place, std::move(message), guess ? fmt::format("did you mean `{}`?", *guess) : "");
+    return fail("E0212", place, std::move(message), guess ? fmt::format("did you mean `{}`?", *guess) : "");
   };
   switch (base.kind()) {
   case ValueKind::record: {
@@ -209,7 +209,7 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
     if (word == "b") return base.color().b;
     return unknown(fmt::format("a colour has no part `{}`", word), {});
   case ValueKind::thing: return thing_member(base.thing(), node, context);
-  default: return fail("E0213", place, fmt::format("{} has no part `{}`", describe(base), word));
+  default: return fail("E0212", place, fmt::format("{} has no part `{}`", describe(base), word));
   }
 }
 
@@ -221,19 +221,19 @@ Value Evaluator::thing_member(const Thing& thing, NodeId node, const Context& co
   if (thing.def) {
     if (const auto i = thing.def->find(symbol)) {
       if (const PropertyValue* found = thing.find(parameter_id(*i))) return found->value;
-      return fail("E0213", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
+      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
     }
   }
   if (const auto id = thing.noun->find(symbol)) {
     if (const PropertyValue* found = thing.find(*id)) return found->value;
-    return fail("E0213", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
+    return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
   }
   if (find_chain_method(word))
-    return fail("E0213", place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word));
+    return fail("E0212", place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word));
   std::vector<std::string_view> names;
   for (const Property& property : thing.noun->properties) names.push_back(property.name);
   const auto guess = nearest(word, names);
-  return fail("E0213", place, fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
+  return fail("E0212", place, fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
               guess ? fmt::format("did you mean `{}`?", *guess) : "");
 }
 

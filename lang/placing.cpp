@@ -60,7 +60,7 @@ void Evaluator::put_thing(const Described& described, Target& target) {
   case Category::camera: return put_camera(described, target);
   default: break;
   }
-  fail("E0411", described.place, fmt::format("a {} is not placed: it belongs to a shape", noun.name), {},
+  fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", noun.name), {},
        noun.category == Category::material ? "keep it with `name = …`, or write it after `material:`" : "write it after `material:`, or as a material's `color`");
 }
 

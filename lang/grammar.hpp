@@ -37,14 +37,14 @@ struct is {
   }
 };
 
-/// At a place that looks like the next item although a list is still open.
-struct item_on_new_line {
-  using rule_t = item_on_new_line;
+/// At a place that looks like the next item although the one before is not complete.
+struct item_here {
+  using rule_t = item_here;
   using subs_t = peg::empty_list;
   template <peg::apply_mode, peg::rewind_mode, template <typename...> class, template <typename...> class,
             typename Input>
   static bool match(Input& in, ParseState& state) {
-    return state.follows_line() && looks_like_item(state.text, static_cast<std::uint32_t>(in.current() - in.begin()));
+    return looks_like_item(state.text, static_cast<std::uint32_t>(in.current() - in.begin()));
   }
 };
 
@@ -216,8 +216,12 @@ struct filter_begin : keyword<Word::if_> {};
 struct filter : seq<filter_begin, wide_gap, required<expression>> {};
 struct comprehension_rest : seq<clause, star<wide_gap, sor<clause, filter>>> {};
 
+/// What follows may stand on the next line, if that line does not look like an item of its own.
+struct next_line : seq<newlines, not_at<item_here>> {};
+struct value_gap : seq<narrow_gap, opt<at<newline>, required<next_line>>> {};
+
 struct list_begin : at<one<'['>> {};
-struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<item_on_new_line>, not_at<eof>, required<expression>> {};
+struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<when<&ParseState::follows_line>, item_here>, not_at<eof>, required<expression>> {};
 struct list_content
     : seq<wide_gap, opt<not_at<one<']'>>, required<expression>, sor<seq<wide_gap, comprehension_rest>, more_elements>,
                         opt<separator, at<one<']'>>>>> {};
@@ -265,7 +269,7 @@ struct infix_word : seq<word, when<&ParseState::word_is_infix>> {};
 struct infix
     : sor<seq<at<one<'.', '=', '!', '<', '>', '&', '|', '+', '-', '*', '/', '%', '^'>>, infix_symbol>,
           seq<at<one<'a', 'b', 'o'>>, infix_word>> {};
-struct operators_rest : star<gap, infix, wide_gap, required<operand>> {};
+struct operators_rest : star<gap, infix, value_gap, required<operand>> {};
 struct operators_begin : success {};
 struct operators_end : success {};
 struct operators : seq<operators_begin, operand, operators_rest, operators_end> {};
@@ -286,7 +290,7 @@ struct default_value : seq<gap, default_sign, wide_gap, required<expression>> {}
 struct parameter_name : plain_word {};
 struct parameter : seq<not_at<one<')', '{'>>, not_at<eof>, required<parameter_name>, opt<default_value>> {};
 struct parameter_list : bracketed<'(', ')', comma_separated<parameter>> {};
-struct no_parameters : at<one<'{', '='>> {}; // an error
+struct no_parameters : at<sor<one<'{', '='>, seq<newlines, one<'{'>>>> {}; // an error
 struct parameters : sor<parameter_list, no_parameters> {};
 
 struct arrow : sor<string<'=', '>'>, equals> {}; // `=` is an error
@@ -328,9 +332,9 @@ struct param_item
 
 struct foreign_variable : seq<is<Word::foreign_variable>, at<gap, peg::identifier, gap, equals>> {}; // an error
 struct property_colon : colon {};
-struct property_item : seq<property_colon, wide_gap, required<expression>> {};
+struct property_item : seq<property_colon, value_gap, required<expression>> {};
 struct bind_sign : equals {};
-struct bind_item : seq<bind_sign, wide_gap, required<expression>> {};
+struct bind_item : seq<bind_sign, value_gap, required<expression>> {};
 struct name_first : success {};
 /// An expression whose first word, a name, has been read.
 struct named_expression : seq<name_first, suffixes, operators_rest, operators_end> {};
@@ -346,9 +350,9 @@ struct word_item
 struct previous_begin : seq<when<&ParseState::may_edit_previous>, at<one<'.'>, peg::identifier_first>> {};
 struct previous_item : seq<previous_begin, plus<any_suffix>, operators_rest, operators_end> {};
 
-struct line_not_led_by_minus : sor<not_at<one<'-'>>, not_at<when<&ParseState::follows_line>>> {};
+struct line_not_led_by_sign : sor<not_at<one<'-', '+'>>, not_at<when<&ParseState::follows_line>>> {};
 struct item_end : at<narrow_gap, sor<one<'\n', ',', ';', '}'>, eof>> {};
-struct item : seq<required<line_not_led_by_minus>, sor<word_item, previous_item, expression>, required<item_end>> {};
+struct item : seq<required<line_not_led_by_sign>, sor<word_item, previous_item, expression>, required<item_end>> {};
 
 struct items_begin : success {};
 struct items_end : sor<eof, seq<when<&ParseState::is_in_braces>, one<'}'>>> {};

@@ -153,7 +153,7 @@ struct action<prefix_not> : placed<action<prefix_not>> {
 template <>
 struct action<foreign_prefix> : placed<action<foreign_prefix>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    state.report(foreign_operator(state.span(begin, end), state.text.substr(begin, end - begin)));
+    state.foreign_prefix(begin, end);
   }
 };
 template <>
@@ -331,7 +331,7 @@ template <>
 struct action<foreign_variable> : placed<action<foreign_variable>> {
   static void at(ParseState& state, std::uint32_t, std::uint32_t) {
     state.report(syntax_error("E0121", state.span(state.last.begin, state.last.end),
-                              "a name is bound without a word before it", "`name = value`"));
+                              "no word comes before the name that is bound", "write `name = value`"));
   }
 };
 template <>

@@ -13,7 +13,7 @@ struct analyze_traits<Name, grammar_of_scenes::when<Question>> : analyze_opt_tra
 template <typename Name, rt::lang::Word W>
 struct analyze_traits<Name, grammar_of_scenes::is<W>> : analyze_opt_traits<> {};
 template <typename Name>
-struct analyze_traits<Name, grammar_of_scenes::item_on_new_line> : analyze_opt_traits<> {};
+struct analyze_traits<Name, grammar_of_scenes::item_here> : analyze_opt_traits<> {};
 template <typename Name, typename Rule>
 struct analyze_traits<Name, grammar_of_scenes::required<Rule>> : analyze_seq_traits<Rule> {};
 template <typename Name, typename Rule>

@@ -17,10 +17,11 @@ constexpr Expected expected() {
 // clang-format off
 template <> constexpr Expected expected<item>() { return Expected::item; }
 template <> constexpr Expected expected<item_end>() { return Expected::item_end; }
-template <> constexpr Expected expected<line_not_led_by_minus>() { return Expected::line_not_led_by_minus; }
+template <> constexpr Expected expected<line_not_led_by_sign>() { return Expected::line_not_led_by_sign; }
 template <> constexpr Expected expected<expression>() { return Expected::expression; }
 template <> constexpr Expected expected<operand>() { return Expected::expression; }
 template <> constexpr Expected expected<operand_rest>() { return Expected::expression; }
+template <> constexpr Expected expected<next_line>() { return Expected::expression; }
 template <> constexpr Expected expected<end_of_expression>() { return Expected::end_of_expression; }
 template <> constexpr Expected expected<loop_name>() { return Expected::name; }
 template <> constexpr Expected expected<declared_word>() { return Expected::name; }

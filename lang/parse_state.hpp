@@ -69,6 +69,7 @@ public:
 
   // Literals, operators and constructs whose parts need a second look
   void color(std::uint32_t begin, std::uint32_t end);
+  void foreign_prefix(std::uint32_t begin, std::uint32_t end);
   void infix_symbol(std::uint32_t begin, std::uint32_t end);
   void infix_word(std::uint32_t begin, std::uint32_t end);
   void close_list(std::uint32_t end);
@@ -100,6 +101,7 @@ public:
 private:
   SyntaxPlace place(std::uint32_t at) const { return {text, file, at, item_, item_follows_line_, open_}; }
   [[noreturn]] void fail_at_end();
+  bool begins_foreign_vector(std::uint32_t at) const;
 
   std::vector<OpenBracket> open_;
   bool newline_is_space_ = false;

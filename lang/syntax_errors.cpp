@@ -45,6 +45,8 @@ public:
     case Expected::item_end: return item_end();
     case Expected::expression: return expression();
     case Expected::end_of_expression: return error("E0101", "expected the end, found " + found());
+    case Expected::property_colon:
+      return error("E0135", "a vector is written in square brackets", fmt::format("write `{}: [x, y, z]`", word_of_item()));
     case Expected::closing_bracket: return closing_bracket();
     case Expected::name: return name("expected a name, found " + found());
     case Expected::property_name: return name("expected a name after `.`, found " + found());
@@ -66,7 +68,7 @@ public:
     case Expected::comment_end:
       return syntax_error("E0106", {place_.file, place_.at - 2, place_.at}, "this comment is not closed",
                           "expected `*/` before the end of the file");
-    case Expected::line_not_led_by_minus: return led_by_operator();
+    case Expected::line_not_led_by_sign: return led_by_operator();
     }
     return error("E0101", "unexpected " + found());
   }
@@ -126,6 +128,10 @@ private:
   // What is a mistake wherever it stands.
   std::optional<Diagnostic> by_what_is_found() const {
     if (expected_ == Expected::string_end || expected_ == Expected::comment_end) return std::nullopt;
+    if (item_tokens_ > 0 && is_reserved(classify(text(first_)))) {
+      const Token second = token_from(first_.end);
+      if (text(second) == ":" || text(second) == "=") return reserved_name(first_);
+    }
     if (found_.kind == TokenKind::unknown) return unknown_character();
     if (found_.kind == TokenKind::color && is_at_item_boundary()) return hash();
     if (found_.kind == TokenKind::close && expected_ == Expected::item) return stray_bracket();
@@ -202,10 +208,15 @@ private:
                             std::string(foreign->label));
       }
     }
-    if (found_.kind != TokenKind::name || !text(found_).starts_with("els")) return std::nullopt;
+    if (found_.kind != TokenKind::name || !text(found_).starts_with("el")) return std::nullopt;
     const Foreign* foreign = find(found_);
     if (foreign == nullptr) return std::nullopt;
     return error("E0121", std::string(foreign->message), std::string(foreign->label));
+  }
+
+  Diagnostic reserved_name(Token token) const {
+    return syntax_error("E0120", {place_.file, token.begin, token.end},
+                        fmt::format("`{}` is a reserved word and cannot be a name", text(token)), "choose another name");
   }
 
   Diagnostic reserved_word() const {
@@ -216,9 +227,7 @@ private:
     const bool needs_name = expected_ == Expected::name || expected_ == Expected::property_name;
     const Token next = token_from(found_.end);
     const bool is_used_as_name = text(next) == ":" || text(next) == "=";
-    if (needs_name || (expected_ == Expected::item && is_used_as_name)) {
-      return error("E0120", fmt::format("`{}` is a reserved word and cannot be a name", word), "choose another name");
-    }
+    if (needs_name || (expected_ == Expected::item && is_used_as_name)) return reserved_name(found_);
     if (expected_ == Expected::expression && (word == "if" || word == "fn")) {
       return error("E0136", fmt::format("`{}` inside an expression stands in parentheses", word),
                    word == "if" ? "`(if a { b } else { c })`" : "`(fn (x) => x)`");
@@ -299,7 +308,8 @@ private:
       return error("E0135", "a vector is written in square brackets", "`[x, y, z]`");
     }
     if (found_is("=") && before_.kind == TokenKind::symbol && before_.end == found_.begin) {
-      return error("E0119", fmt::format("there is no `{}=` here", text(before_)), "what has a name does not change");
+      return syntax_error("E0119", {place_.file, before_.begin, found_.end}, fmt::format("there is no `{}=`", text(before_)),
+                          "a name keeps its value");
     }
     if (found_is(">") && before_is("-")) {
       return error("E0119", "there is no `->` here", "a function without a name is written `fn (x) => x * x`");
@@ -323,7 +333,7 @@ private:
   }
 
   Diagnostic block() const {
-    std::string label = fmt::format("expected `{{`");
+    std::string label = "expected `{`";
     if (found_is(":")) label = "a block is written in braces: `{ … }`";
     if (found_is("then") || found_is("do")) label = fmt::format("write `{{` in place of `{}`", text(found_));
     return error("E0126", fmt::format("a block is missing, found {}", found()), label);

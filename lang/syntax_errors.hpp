@@ -19,6 +19,7 @@ enum class Expected : std::uint8_t {
   item_end,          ///< a separator or the end of the block
   expression,
   end_of_expression, ///< of a text that is one expression
+  property_colon,    ///< where a vector of another language follows a name
   closing_bracket,   ///< of ( or [, or a comma
   name,
   property_name,     ///< after a dot
@@ -33,7 +34,7 @@ enum class Expected : std::uint8_t {
   param_value,
   string_end,
   comment_end,
-  line_not_led_by_minus,
+  line_not_led_by_sign,
 };
 
 struct OpenBracket {
@@ -70,6 +71,9 @@ Diagnostic foreign_operator(Span op, std::string_view op_text);
 std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std::uint32_t digits, double value);
 Diagnostic malformed_color(Span span, std::string_view text);
 Diagnostic bad_escape(Span string, std::string_view text, std::uint32_t offset);
+
+/// Where to look on after an error at `at`: behind what is not of the language at all.
+std::uint32_t resume_after(std::string_view text, std::uint32_t at, std::string_view code);
 
 /// Where parsing goes on after an error at `from`: at the separator or closing brace that ends the broken item.
 /// `open` are the brackets that were open within the item.

@@ -19,6 +19,7 @@ std::string_view own_name(std::string_view op) {
   if (op == "||") return "write `or`";
   if (op == "!") return "write `not`";
   if (op == "**") return "write `^`";
+  if (op == "++") return "a name keeps its value";
   if (op == "+") return "leave it out";
   return "";
 }

@@ -199,7 +199,7 @@ struct misplaced_brace : seq<narrow_gap, newlines, at<one<'{'>>> {}; // an error
 /// The block of a construct that must have one.
 struct own_block : seq<gap, opt<misplaced_brace>, block> {};
 
-struct record : block {};
+struct record : seq<when<&ParseState::block_may_follow>, block_begin, bracketed<'{', '}', items>> {};
 
 template <typename Item>
 struct comma_separated

@@ -87,6 +87,7 @@ private:
          token = token_from(token.end)) {
       if (token.kind == TokenKind::newline || token.kind == TokenKind::line_comment) continue;
       if (count++ == 0) first_ = token;
+      earlier_ = before_;
       before_ = token;
     }
     item_tokens_ = count;
@@ -327,6 +328,7 @@ private:
       return error("E0121", "a `for` goes through the elements of something", "`for i in 0..9 { … }`, without parentheses");
     }
     if (found_.kind == TokenKind::number && expected_ == Expected::property_name) {
+      if (earlier_.kind == TokenKind::number) return error("E0108", "a number has one decimal point");
       return error("E0127", std::move(message), "`[ ]` takes an element: `list[0]`");
     }
     return error("E0127", std::move(message));
@@ -368,6 +370,7 @@ private:
   Token found_{};
   Token first_{};
   Token before_{};
+  Token earlier_{}; ///< the one before that
   std::size_t item_tokens_ = 0;
 };
 

@@ -38,7 +38,7 @@ TEST_CASE("diagnostic: is shown with its place, its line and its notes") {
 TEST_CASE("diagnostic: colours change nothing but colours") {
   SourceMap sources;
   const FileId file = sources.add("lamp.rtl", "", lamp);
-  const Diagnostic diagnostic = unknown_property({file, 31, 37});
+  const Diagnostic diagnostic = unknown_property({file, 40, 46});
   std::string colored = render(diagnostic, sources, true);
   CHECK(colored.find("\x1b[1;31merror[E0204]\x1b[0m") == 0);
   for (std::size_t begin = 0; (begin = colored.find('\x1b')) != std::string::npos;) {
@@ -51,8 +51,7 @@ TEST_CASE("diagnostic: carets count what a terminal shows") {
   SourceMap sources;
   const FileId tabs = sources.add("t", "", "\tab\tc");
   CHECK(render(at({tabs, 4, 5}), sources, false) ==
-        "error[E0101]: wrong\n --> t:1:5\n  |\n1 |     ab  c\n  |         ^ here\n"
-        "" + std::string());
+        "error[E0101]: wrong\n  --> t:1:5\n  |\n1 |     ab  c\n  |         ^ here\n");
   const FileId wide = sources.add("w", "", "日本x");
   CHECK(render(at({wide, 6, 7}), sources, false).find("1 | 日本x\n  |     ^ here\n") != std::string::npos);
   CHECK(render(at({wide, 3, 6}), sources, false).find("  |   ^^ here\n") != std::string::npos);
@@ -104,10 +103,10 @@ TEST_CASE("diagnostic: includes and calls show the chain that led there") {
   const FileId scene = sources.add("scene.rtl", "", "x = 1\ninclude \"parts.rtl\"\n");
   const FileId parts = sources.add("parts.rtl", "", "include \"lamp.rtl\"\n", {scene, 6, 25});
   const FileId file = sources.add("lamp.rtl", "", lamp, {parts, 0, 18});
-  Diagnostic diagnostic = at({file, 31, 37});
+  Diagnostic diagnostic = at({file, 40, 46});
   diagnostic.call_stack = {{Span{parts, 0, 7}, "in `shade`"}, {Span{scene, 0, 1}, "in `lamp`"}};
   const std::string text = render(diagnostic, sources, false);
-  CHECK(text.find("lamp.rtl:7:3\n     included from parts.rtl:1:1\n     included from scene.rtl:2:1\n") != std::string::npos);
+  CHECK(text.find("lamp.rtl:7:3\n      included from parts.rtl:1:1\n      included from scene.rtl:2:1\n") != std::string::npos);
   CHECK(text.find("  = in `shade` at parts.rtl:1:1\n  = in `lamp` at scene.rtl:1:1\n") != std::string::npos);
 }
 

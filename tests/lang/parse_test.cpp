@@ -207,7 +207,7 @@ TEST_CASE("parse: an expression alone") {
   const Parsed sum = parse_expression(sources, good, symbols);
   CHECK(sum.diagnostics.empty());
   CHECK(shape(sum.ast, symbols, sum.ast.root) == "(+ [1 2] x)");
-  for (const char* wrong : {"", "1 2", "x = 1", "(1", "1 +"}) {
+  for (const char* wrong : {"", "1 2", "x: 1", "(1", "1 +"}) {
     INFO(wrong);
     const Parsed failed = parse_expression(sources, sources.add("-D", "", wrong), symbols);
     CHECK(failed.diagnostics.size() == 1);

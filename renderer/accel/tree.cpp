@@ -110,9 +110,12 @@ RTCBounds Tree::to_single(const Box3& box) const {
 
 bool Tree::enter(Query& query, RTCRay& ray) const {
   double start = 0;
-  if (!meets(query, bounds_, start)) return false;
-  const double speed = length(query.ray.direction);
-  const Vec3 origin = (query.ray.at(start) - center_) * scale_, direction = query.ray.direction / speed;
+  const bool starts_inside = query.interval.lower == 0 && bounds_.contains(query.ray.origin);
+  if (!starts_inside && !meets(query, bounds_, start)) return false;
+  // The way it is scaled does not matter as long as it is about a unit vector, as most are.
+  const double power = dot(query.ray.direction, query.ray.direction);
+  const double speed = power > 0.25 && power < 4 ? 1 : std::sqrt(power);
+  const Vec3 origin = (query.ray.at(start) - center_) * scale_, direction = query.ray.direction * (1 / speed);
   query.start_ = start;
   query.scale_ = speed * scale_;
 
@@ -136,20 +139,64 @@ void Tree::nearest(Query& query) const {
   if (!enter(query, hit.ray)) return;
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Context context;
-  rtcInitIntersectContext(&context.embree);
-  context.query = &query;
+  Query* const queries = &query;
+  Context context(&queries);
   rtcIntersect1(scene_.get(), &context.embree, &hit);
 }
 
 bool Tree::blocks(Query& query) const {
   RTCRay ray;
   if (!enter(query, ray)) return false;
-  Context context;
-  rtcInitIntersectContext(&context.embree);
-  context.query = &query;
+  Query* const queries = &query;
+  Context context(&queries);
   rtcOccluded1(scene_.get(), &context.embree, &ray);
   return ray.tfar < 0;
+}
+
+// Fills in the rays of a packet; those without a query, or whose query misses the bounds, are not valid.
+template <class Rays>
+void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const {
+  for (std::size_t i = 0; i < packet_size; ++i) {
+    RTCRay ray{};
+    are_valid[i] = i < queries.size() && enter(*queries[i], ray) ? -1 : 0;
+    rays.org_x[i] = ray.org_x;
+    rays.org_y[i] = ray.org_y;
+    rays.org_z[i] = ray.org_z;
+    rays.tnear[i] = ray.tnear;
+    rays.dir_x[i] = ray.dir_x;
+    rays.dir_y[i] = ray.dir_y;
+    rays.dir_z[i] = ray.dir_z;
+    rays.tfar[i] = ray.tfar;
+    rays.time[i] = ray.time;
+    rays.mask[i] = ray.mask;
+    rays.id[i] = static_cast<unsigned>(i);
+    rays.flags[i] = 0;
+  }
+}
+
+void Tree::nearest(std::span<Query* const> queries) const {
+  alignas(64) int are_valid[packet_size];
+  RTCRayHit16 hits;
+  enter_all(queries, hits.ray, are_valid);
+  for (std::size_t i = 0; i < packet_size; ++i) {
+    hits.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    hits.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  Context context(queries.data());
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(are_valid, scene_.get(), &context.embree, &hits);
+}
+
+std::array<bool, packet_size> Tree::blocks(std::span<Query* const> queries) const {
+  alignas(64) int are_valid[packet_size];
+  RTCRay16 rays;
+  enter_all(queries, rays, are_valid);
+  Context context(queries.data());
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded16(are_valid, scene_.get(), &context.embree, &rays);
+  std::array<bool, packet_size> answers{};
+  for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = are_valid[i] != 0 && rays.tfar[i] < 0;
+  return answers;
 }
 
 } // namespace rt::accel

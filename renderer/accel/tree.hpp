@@ -6,10 +6,12 @@
 
 #include <embree3/rtcore.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -48,6 +50,9 @@ private:
   double scale_ = 1;
 };
 
+/// How many queries may travel together.
+inline constexpr std::size_t packet_size = 16;
+
 /// A tree over leaves of several kinds. A set of leaves of one kind has
 ///
 ///   std::uint32_t size() const;
@@ -83,6 +88,12 @@ public:
   /// Shows it to `blocks`, in no particular order; true if one of them returned true.
   bool blocks(Query& query) const;
 
+  /// The same for up to `packet_size` queries with rays that run close together: each is shown the same leaves, and what
+  /// the callbacks decide does not depend on its company.
+  void nearest(std::span<Query* const> queries) const;
+  /// One answer for each query.
+  std::array<bool, packet_size> blocks(std::span<Query* const> queries) const;
+
 private:
   struct Release {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -95,14 +106,18 @@ private:
     const Tree* tree = nullptr;
     RTCGeometry geometry = nullptr;
   };
-  // What Embree hands through to the callbacks: its own context, and the way back to the query.
+  // What Embree hands through to the callbacks: its own context, and the way back to the queries, which the rays' ids
+  // count.
   struct Context {
     RTCIntersectContext embree;
-    Query* query;
+    Query* const* queries;
+    explicit Context(Query* const* all) : queries(all) { rtcInitIntersectContext(&embree); }
   };
 
   void add(const Set& set, RTCIntersectFunctionN when_nearest, RTCOccludedFunctionN when_blocks);
   bool enter(Query& query, RTCRay& ray) const;
+  template <class Rays>
+  void enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const;
   RTCBounds to_single(const Box3& box) const;
   static void on_bounds(const RTCBoundsFunctionArguments* args);
 
@@ -112,22 +127,41 @@ private:
   }
   template <class Leaves, class NearestQuery>
   static void on_nearest(const RTCIntersectFunctionNArguments* args) {
-    auto& query = static_cast<NearestQuery&>(*reinterpret_cast<Context*>(args->context)->query);
-    const double before = query.interval.upper;
-    static_cast<const Leaves*>(args->geometryUserPtr)->nearest(args->primID, query);
-    if (query.interval.upper < before) reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = single_t(query);
+    const auto& leaves = *static_cast<const Leaves*>(args->geometryUserPtr);
+    Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
+    const auto show = [&](Query& query, float& tfar) {
+      const double before = query.interval.upper;
+      leaves.nearest(args->primID, static_cast<NearestQuery&>(query));
+      if (query.interval.upper < before) tfar = single_t(query);
+    };
+    if (args->N == 1) {
+      RTCRay& ray = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray;
+      return show(*queries[ray.id], ray.tfar);
+    }
+    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+    for (unsigned lane = 0; lane < args->N; ++lane)
+      if (args->valid[lane] != 0)
+        show(*queries[RTCRayN_id(rays, args->N, lane)], RTCRayN_tfar(rays, args->N, lane));
   }
   template <class Leaves, class ShadowQuery>
   static void on_blocks(const RTCOccludedFunctionNArguments* args) {
-    auto& query = static_cast<ShadowQuery&>(*reinterpret_cast<Context*>(args->context)->query);
-    if (static_cast<const Leaves*>(args->geometryUserPtr)->blocks(args->primID, query))
-      reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
+    const auto& leaves = *static_cast<const Leaves*>(args->geometryUserPtr);
+    Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
+    const auto show = [&](Query& query, float& tfar) {
+      if (leaves.blocks(args->primID, static_cast<ShadowQuery&>(query))) tfar = -std::numeric_limits<float>::infinity();
+    };
+    if (args->N == 1) {
+      RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
+      return show(*queries[ray.id], ray.tfar);
+    }
+    for (unsigned lane = 0; lane < args->N; ++lane)
+      if (args->valid[lane] != 0)
+        show(*queries[RTCRayN_id(args->ray, args->N, lane)], RTCRayN_tfar(args->ray, args->N, lane));
   }
   // The end of the interval rounded up, so that Embree does not cull what lies there or before.
   static float single_t(const Query& query) {
-    const double t = (query.interval.upper - query.start_) * query.scale_;
-    if (t >= std::numeric_limits<float>::max()) return std::numeric_limits<float>::infinity();
-    return std::nextafter(static_cast<float>(t), std::numeric_limits<float>::infinity());
+    const double t = (query.interval.upper - query.start_) * query.scale_ * (1 + 0x1p-22);
+    return t < std::numeric_limits<float>::max() ? static_cast<float>(t) : std::numeric_limits<float>::infinity();
   }
 
   std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;

@@ -3,8 +3,6 @@
 namespace rt::tools::bench {
 namespace {
 
-scene::MaterialId material_of(std::uint32_t finish) { return scene::MaterialId{finish}; }
-
 scene::Material material(const Finish& f) {
   scene::Material m;
   m.color = f.color;
@@ -28,19 +26,31 @@ scene::Scene describe(const Layout& layout) {
   scene.max_depth = mirror_depth;
   scene.camera = {.at = layout.eye, .look_at = layout.target, .fov = layout.fov};
   for (const PointLamp& lamp : layout.lamps) {
-    scene::PointLight light;
-    light.at = lamp.at;
-    light.color = lamp.color;
-    scene.lights.push_back({.source = light});
+    scene::PointLight source;
+    source.at = lamp.at;
+    source.color = lamp.color;
+    scene::Light light;
+    light.source = source;
+    scene.lights.push_back(light);
   }
   for (const Finish& f : layout.finishes) scene.materials.push_back(material(f));
   const auto add = [&](auto shape, std::uint32_t finish, const Vec3& at = {}) {
-    scene.objects.push_back({.at = at, .shape = scene.shapes.add(std::move(shape)), .material = material_of(finish)});
+    scene::Object object;
+    object.at = at;
+    object.shape = scene.shapes.add(std::move(shape));
+    object.material = scene::MaterialId{finish};
+    scene.objects.push_back(object);
   };
   for (const BallShape& s : layout.balls) add(scene::Sphere{s.radius}, s.finish, s.center);
-  for (const TubeShape& s : layout.tubes)
-    add(scene::Cylinder{.from = s.from, .to = s.to, .radius = s.radius, .open = true}, s.finish);
-  for (const TriangleShape& s : layout.triangles) add(scene::Triangle{.points = s.points}, s.finish);
+  for (const TubeShape& s : layout.tubes) {
+    scene::Cylinder tube;
+    tube.from = s.from;
+    tube.to = s.to;
+    tube.radius = s.radius;
+    tube.open = true;
+    add(tube, s.finish);
+  }
+  for (const TriangleShape& s : layout.triangles) add(scene::Triangle{s.points, {}}, s.finish);
   return scene;
 }
 

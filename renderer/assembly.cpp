@@ -39,6 +39,21 @@ bool Assembly::blocks(ShadowQuery& query) const {
   return !tree_.is_empty() && tree_.blocks(query);
 }
 
+void Assembly::nearest(std::span<accel::Query* const> queries) const {
+  for (const Loose& leaf : loose_)
+    for (accel::Query* query : queries) leaf.kind->nearest(leaf.leaves, leaf.index, static_cast<NearestQuery&>(*query));
+  if (!tree_.is_empty()) tree_.nearest(queries);
+}
+
+std::array<bool, accel::packet_size> Assembly::blocks(std::span<accel::Query* const> queries) const {
+  std::array<bool, accel::packet_size> answers{};
+  if (!tree_.is_empty()) answers = tree_.blocks(queries);
+  for (const Loose& leaf : loose_)
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      answers[i] = answers[i] || leaf.kind->blocks(leaf.leaves, leaf.index, static_cast<ShadowQuery&>(*queries[i]));
+  return answers;
+}
+
 std::uint64_t Assembly::order(std::uint32_t slot) const {
   const auto after = std::partition_point(steps_.begin(), steps_.end(), [&](const Step& s) { return s.slot < slot; });
   if (after == steps_.begin()) return slot;

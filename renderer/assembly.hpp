@@ -3,6 +3,7 @@
 #include "renderer/leaves.hpp"
 
 #include <array>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -49,6 +50,10 @@ public:
   /// Shows the query to what it may hit.
   void nearest(NearestQuery& query) const;
   bool blocks(ShadowQuery& query) const;
+  /// The same for up to `accel::packet_size` queries with rays that run close together. They all point to queries of
+  /// these types.
+  void nearest(std::span<accel::Query* const> queries) const;
+  std::array<bool, accel::packet_size> blocks(std::span<accel::Query* const> queries) const;
 
   /// The box around its leaves: empty maybe; infinite where they are.
   const Box3& box() const { return box_; }

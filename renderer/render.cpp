@@ -5,11 +5,13 @@
 #include "renderer/traceable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <span>
 #include <thread>
 
 namespace rt {
@@ -22,6 +24,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 constexpr int tile_side = 16;
+constexpr int block_side = 4;
+static_assert(block_side * block_side <= accel::packet_size);
 constexpr std::chrono::milliseconds progress_interval{100};
 
 Film make_film(const PixelRect& rect, bool layers) {
@@ -110,30 +114,47 @@ private:
     }
 
   private:
+    // Block by block, so that the rays of a packet run close together.
     bool trace_tile(const PixelRect& tile) {
-      for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
+      for (int y = tile.y0; y < tile.y1; y += block_side) {
+        for (int x = tile.x0; x < tile.x1; x += block_side) {
           if (job_.is_stopped()) return false;
-          trace_pixel(x, y);
+          trace_block({x, y, std::min(x + block_side, tile.x1), std::min(y + block_side, tile.y1)});
         }
       }
       return true;
     }
 
-    void trace_pixel(int x, int y) {
-      const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);
+    void trace_block(const PixelRect& block) {
       const int n = job_.side_;
-      Color sum = black;
-      for (int sample = 0; sample < n * n; ++sample) sum += radiance(job_.camera_.ray(x, y, sample, n));
-      job_.film_.color[index] = to_single(sum * (1.0 / (n * n)));
-      if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
+      const auto count = static_cast<std::size_t>(block.width() * block.height());
+      std::array<Color, accel::packet_size> sums{}, values;
+      std::array<Ray, accel::packet_size> rays;
+      for (int sample = 0; sample < n * n; ++sample) {
+        for_each_pixel(block, [&](int x, int y, std::size_t i) { rays[i] = job_.camera_.ray(x, y, sample, n); });
+        trace_rays(std::span(rays).first(count), values);
+        for (std::size_t i = 0; i < count; ++i) sums[i] += values[i];
+      }
+      for_each_pixel(block, [&](int x, int y, std::size_t i) {
+        const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);
+        job_.film_.color[index] = to_single(sums[i] * (1.0 / (n * n)));
+        if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
+      });
     }
 
-    Color radiance(const Ray& ray) {
-      ++camera_rays_;
+    template <class F>
+    static void for_each_pixel(const PixelRect& block, F&& f) {
+      std::size_t i = 0;
+      for (int y = block.y0; y < block.y1; ++y)
+        for (int x = block.x0; x < block.x1; ++x) f(x, y, i++);
+    }
+
+    void trace_rays(std::span<const Ray> rays, std::span<Color> values) {
+      camera_rays_ += rays.size();
       if (job_.camera_.has_one_eye() || !job_.traceable_.has_transparent())
-        return whitted_.radiance(ray, job_.around_eye_);
-      return whitted_.radiance(ray, job_.traceable_.around(ray.origin));
+        return whitted_.radiance(rays, job_.around_eye_, values);
+      for (std::size_t i = 0; i < rays.size(); ++i)
+        values[i] = whitted_.radiance(rays[i], job_.traceable_.around(rays[i].origin));
     }
 
     void trace_layers(const Ray& ray, std::size_t index) {

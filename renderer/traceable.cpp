@@ -1,6 +1,10 @@
 #include "renderer/traceable.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -62,6 +66,33 @@ Vec3 smooth_normal(const Resolved& r) {
   return size > 0 ? n / size : r.leaf.point.normal;
 }
 
+// What filters leave of light. They were found in no particular order, and products depend on it by their rounding.
+Color through(std::vector<Filter>& filters) {
+  std::sort(filters.begin(), filters.end(), [](const Filter& a, const Filter& b) {
+    return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
+  });
+  Color left = white;
+  for (const Filter& filter : filters) left *= filter.transmittance;
+  return left;
+}
+
+// Queries that travel together.
+template <class Query>
+class Packet {
+public:
+  template <class... T>
+  void add(T&&... arguments) {
+    pointers_[count_] = &storage_[count_].emplace(std::forward<T>(arguments)...);
+    ++count_;
+  }
+  std::span<accel::Query* const> queries() const { return {pointers_.data(), count_}; }
+
+private:
+  std::array<std::optional<Query>, accel::packet_size> storage_;
+  std::array<accel::Query*, accel::packet_size> pointers_;
+  std::size_t count_ = 0;
+};
+
 } // namespace
 
 Traceable::Traceable(const scene::Scene& scene, int threads) : Traceable(scene, Compiled(scene, threads)) {}
@@ -86,14 +117,29 @@ Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScrat
   scratch.filters.clear();
   ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.styles(), {compiled_.styles().default_style(), &ray},
                     scratch);
-  if (compiled_.root().blocks(query)) return black;
-  // They were found in no particular order, and products depend on it by their rounding.
-  std::sort(scratch.filters.begin(), scratch.filters.end(), [](const Filter& a, const Filter& b) {
-    return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
-  });
-  Color left = white;
-  for (const Filter& filter : scratch.filters) left *= filter.transmittance;
-  return left;
+  return compiled_.root().blocks(query) ? black : through(scratch.filters);
+}
+
+void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
+                        TraceScratch& scratch) const {
+  Packet<NearestQuery> packet;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = {};
+    packet.add(rays[i], range, compiled_.root(), 0, hits[i], scratch);
+  }
+  compiled_.root().nearest(packet.queries());
+}
+
+void Traceable::transmittance(std::span<const Ray> rays, std::span<const Interval> ranges, std::span<Color> results,
+                              std::span<TraceScratch> scratch) const {
+  Packet<ShadowQuery> packet;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    scratch[i].filters.clear();
+    packet.add(rays[i], ranges[i], compiled_.root(), 0, compiled_.styles(),
+               InheritedStyle{compiled_.styles().default_style(), &rays[i]}, scratch[i]);
+  }
+  const auto blocked = compiled_.root().blocks(packet.queries());
+  for (std::size_t i = 0; i < rays.size(); ++i) results[i] = blocked[i] ? black : through(scratch[i].filters);
 }
 
 Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {

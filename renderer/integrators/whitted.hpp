@@ -6,8 +6,11 @@
 #include "renderer/traceable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace rt {
 
@@ -46,14 +49,43 @@ public:
     return trace(RayKind::camera, ray, 0, white, interiors_.make(inside));
   }
 
+  /// The same for rays that run close together, `accel::packet_size` at most: sooner, with the same results. Recorders
+  /// hear of it as if one ray came after the other.
+  void radiance(std::span<const Ray> rays, const std::vector<Interior>& inside, std::span<Color> results) {
+    std::array<RayHit, accel::packet_size> hits;
+    scene_.nearest(rays, {Tolerances::nearest, unlimited}, hits, scratch_);
+    meet_all(rays, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      interiors_.release(0);
+      results[i] = trace(RayKind::camera, rays[i], 0, white, interiors_.make(inside), &first_[i]);
+    }
+  }
+
   const RayCounts& counts() const { return counts_; }
 
 private:
   using List = InteriorLists::List;
 
+  // How a lamp's light comes to a surface.
+  struct Arrival {
+    Incidence incidence;
+    double cos_light = 0;
+    Color filter = white;
+    bool is_facing() const { return cos_light > 0 && incidence.color != black; }
+  };
+
+  // What a ray finds first, where that is known beforehand.
+  struct First {
+    RayHit hit;
+    Surface surface;
+    Vec3 normal;
+    std::vector<Arrival> arrivals; // one for each lamp
+  };
+
   // One ray has met one surface.
   struct Meeting {
     Surface surface;
+    const Arrival* arrivals = nullptr; // where they are known beforehand
     const MaterialValues* values;
     Vec3 direction; // of the ray
     Vec3 normal;    // to the viewer
@@ -66,10 +98,10 @@ private:
   // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
   static constexpr int max_crossings = 1 << 20;
 
-  Color trace(RayKind kind, Ray ray, int depth, const Color& weight, List inside) {
+  Color trace(RayKind kind, Ray ray, int depth, const Color& weight, List inside, const First* first = nullptr) {
     recorder_.begin_ray(kind, ray, depth, weight);
     const std::uint32_t mark = interiors_.mark();
-    const Color result = depth > scene_.max_depth() ? too_deep() : follow(ray, depth, weight, inside);
+    const Color result = depth > scene_.max_depth() ? too_deep() : follow(ray, depth, weight, inside, first);
     interiors_.release(mark);
     recorder_.end_ray(result);
     return result;
@@ -80,23 +112,23 @@ private:
     return black;
   }
 
-  Color follow(Ray ray, int depth, const Color& ray_weight, List inside) {
+  Color follow(Ray ray, int depth, const Color& ray_weight, List inside, const First* first) {
     Color sum = black,
           passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
-    for (int crossings = 0; crossings < max_crossings; ++crossings) {
-      const RayHit hit = scene_.nearest(ray, {Tolerances::nearest, unlimited}, scratch_);
+    for (int crossings = 0; crossings < max_crossings; ++crossings, first = nullptr) {
+      const RayHit hit = first ? first->hit : scene_.nearest(ray, {Tolerances::nearest, unlimited}, scratch_);
       if (!hit) {
         recorder_.miss(scene_.background());
         return sum + passed * scene_.background();
       }
       Meeting m;
-      m.surface = scene_.surface(ray, hit);
+      m.surface = first ? first->surface : scene_.surface(ray, hit);
+      m.normal = first ? first->normal : towards_viewer(m.surface, ray);
+      if (first) m.arrivals = first->arrivals.data();
       MaterialValues scratch;
       m.values = &scene_.values(m.surface, scratch);
       m.direction = ray.direction;
-      const double side = dot(m.surface.shading_normal, ray.direction);
-      m.normal = side > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
-      m.cosine = std::abs(side);
+      m.cosine = -dot(m.normal, ray.direction);
       m.inside = inside;
       m.depth = depth;
       m.weight = ray_weight * passed;
@@ -123,22 +155,17 @@ private:
   Color light(const Meeting& m, const Color& body, std::uint32_t index) {
     const Lamp& lamp = scene_.lamps()[index];
     const MaterialValues& v = *m.values;
+    const Arrival arrival = m.arrivals ? m.arrivals[index] : arrive(lamp, m.surface, m.normal);
     LightRecord record;
     record.lamp = index;
-    record.incidence = incidence(lamp, m.surface.point);
-    const Vec3& l = record.incidence.to_light;
-    record.cos_light = dot(m.normal, l);
-    if (!(record.cos_light > 0) || record.incidence.color == black) {
+    record.incidence = arrival.incidence;
+    record.cos_light = arrival.cos_light;
+    record.filter = arrival.filter;
+    if (!arrival.is_facing() || arrival.filter == black) {
       recorder_.light(record, m.surface);
       return black;
     }
-    if (lamp.shadows) {
-      record.filter = shadow(m.surface, record.incidence);
-      if (record.filter == black) {
-        recorder_.light(record, m.surface);
-        return black;
-      }
-    }
+    const Vec3& l = record.incidence.to_light;
     const Color arriving = record.incidence.color * record.filter;
     record.diffuse = arriving * body * v.diffuse * record.cos_light;
     if (lamp.shadows && v.specular > 0) {
@@ -153,11 +180,64 @@ private:
     return record.diffuse + record.highlight;
   }
 
-  Color shadow(const Surface& surface, const Incidence& incidence) {
-    ++counts_.shadow;
-    const Ray ray = leaving(surface, incidence.to_light);
-    return scene_.transmittance(ray, {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)},
-                                scratch_);
+  // Before shadows.
+  static Arrival approach(const Lamp& lamp, const Surface& surface, const Vec3& normal) {
+    Arrival arrival;
+    arrival.incidence = incidence(lamp, surface.point);
+    arrival.cos_light = dot(normal, arrival.incidence.to_light);
+    return arrival;
+  }
+
+  Arrival arrive(const Lamp& lamp, const Surface& surface, const Vec3& normal) {
+    Arrival arrival = approach(lamp, surface, normal);
+    if (lamp.shadows && arrival.is_facing()) {
+      ++counts_.shadow;
+      arrival.filter = scene_.transmittance(leaving(surface, arrival.incidence.to_light),
+                                            shadow_range(arrival.incidence), scratch_);
+    }
+    return arrival;
+  }
+
+  static Interval shadow_range(const Incidence& incidence) {
+    return {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)};
+  }
+
+  static Vec3 towards_viewer(const Surface& surface, const Ray& ray) {
+    return dot(surface.shading_normal, ray.direction) > 0 ? -surface.shading_normal : surface.shading_normal;
+  }
+
+  // Fills in `first_`: the surfaces at the hits, and how the lamps' light comes to them.
+  void meet_all(std::span<const Ray> rays, std::span<const RayHit> hits) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      First& first = first_[i];
+      first.hit = hits[i];
+      first.arrivals.clear();
+      if (!first.hit) continue;
+      first.surface = scene_.surface(rays[i], first.hit);
+      first.normal = towards_viewer(first.surface, rays[i]);
+      for (const Lamp& lamp : scene_.lamps()) first.arrivals.push_back(approach(lamp, first.surface, first.normal));
+    }
+    for (std::size_t lamp = 0; lamp < scene_.lamps().size(); ++lamp)
+      if (scene_.lamps()[lamp].shadows) cast_shadows(rays.size(), lamp);
+  }
+
+  // Of one lamp, on the first `count` of `first_`.
+  void cast_shadows(std::size_t count, std::size_t lamp) {
+    std::array<Arrival*, accel::packet_size> arrivals;
+    std::array<Ray, accel::packet_size> rays;
+    std::array<Interval, accel::packet_size> ranges;
+    std::array<Color, accel::packet_size> filters;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!first_[i].hit || !first_[i].arrivals[lamp].is_facing()) continue;
+      arrivals[n] = &first_[i].arrivals[lamp];
+      rays[n] = leaving(first_[i].surface, arrivals[n]->incidence.to_light);
+      ranges[n] = shadow_range(arrivals[n]->incidence);
+      ++n;
+    }
+    counts_.shadow += n;
+    scene_.transmittance(std::span(rays).first(n), std::span(ranges).first(n), filters, packet_scratch_);
+    for (std::size_t i = 0; i < n; ++i) arrivals[i]->filter = filters[i];
   }
 
   // Adds the mirrored ray, and the refracted one if it is bent. True if the ray goes on unbent: then `ray`, `inside`
@@ -231,6 +311,8 @@ private:
   Recorder& recorder_;
   InteriorLists interiors_;
   TraceScratch scratch_;
+  std::array<TraceScratch, accel::packet_size> packet_scratch_;
+  std::array<First, accel::packet_size> first_; // of the packet under way
   RayCounts counts_;
 };
 

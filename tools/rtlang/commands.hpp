@@ -8,6 +8,7 @@ namespace rt::tools {
 Action declare_render(CLI::App& app);
 Action declare_ast(CLI::App& app);
 Action declare_scene(CLI::App& app);
+Action declare_doc(CLI::App& app);
 Action declare_explain(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_check(CLI::App& app);

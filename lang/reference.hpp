@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Everything that has a name in the language, as data read from the tables that the checker and the evaluator use: what
+/// `rtlang doc`, the session's `:doc` and the tables of the reference show.
+namespace rt::lang {
+
+/// A property of a thing.
+struct PropertyEntry {
+  std::string_view name;
+  std::string type;         ///< "number", "point list", …
+  std::string default_text; ///< empty where there is none
+  std::string help;
+  int form = 0; ///< properties of different forms (other than 0) exclude each other
+};
+
+/// A noun, a function, a chain method, a constant or a ready-made material.
+struct ReferenceEntry {
+  std::string section;   ///< one of `reference_sections`
+  std::string name;
+  std::string signature; ///< as it is written: "sphere { … }", "clamp(x: number, …)"
+  std::string help;      ///< one line
+  std::vector<PropertyEntry> properties;        ///< of a noun: its own
+  std::vector<PropertyEntry> common_properties; ///< of a shape: those that every shape has
+};
+
+/// The sections in the order of the reference: "shapes", "common", "chain", "material", "library", "patterns", "lights",
+/// "camera", "scene", "builtins".
+std::span<const std::string_view> reference_sections();
+
+/// All entries, by section.
+std::vector<ReferenceEntry> reference();
+/// The entries named so (a name may be a noun and a property of others, but only one entry), or none.
+std::optional<ReferenceEntry> find_entry(std::string_view name);
+
+/// An entry as readable text.
+std::string describe(const ReferenceEntry& entry);
+/// A section as Markdown: what stands between the `generated` marks of the reference. `section` must be one of them.
+std::string markdown(std::string_view section);
+
+} // namespace rt::lang

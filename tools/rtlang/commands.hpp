@@ -12,5 +12,6 @@ Action declare_doc(CLI::App& app);
 Action declare_explain(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_check(CLI::App& app);
+Action declare_diff(CLI::App& app);
 
 } // namespace rt::tools

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -98,28 +99,42 @@ private:
 
   void objects(Writer& out, const std::vector<Object>& list, const Around& around) {
     for (const Object& o : list)
-      if (o.is_visible) object(out, o, around);
+      if (has_surface(o)) object(out, o, around);
+  }
+
+  // POV-Ray wants no composite without members.
+  bool has_surface(const Object& o) const {
+    if (!o.is_visible || !is_composite(o.shape)) return o.is_visible;
+    const auto& parts = members(o.shape);
+    if (o.shape.kind == kind_of<Combination> &&
+        scene_.shapes.get<Combination>(o.shape).operation == Combination::Operation::subtract)
+      return !parts.empty() && has_surface(parts.front());
+    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return has_surface(part); });
   }
 
   void object(Writer& out, const Object& o, const Around& around) {
     comment_origin(out, noun(o.shape), o.name, o.origin);
     Around inside = around;
     std::string modifiers;
-    if (options_.pass == Pass::color) {
-      modifiers += surface(o, around, inside);
-      if (!o.casts_shadow && !around.in_shadowless) {
-        modifiers += " no_shadow";
-        inside.in_shadowless = true;
-      }
-    }
+    if (options_.pass == Pass::color) modifiers = surface(o, around, inside) + shadow(o, around, inside);
+    if (options_.pass == Pass::ids && !around.in_solid && o.shape.kind != kind_of<Group>)
+      modifiers = fmt::format(" {}", id_texture(++last_id_));
     modifiers += transforms(placement_of(o));
     if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
     else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
     else {
       const Primitive p = primitive(scene_.shapes, o.shape);
-      const std::string id = options_.pass == Pass::ids ? " " + id_texture(++last_id_) : std::string{};
-      out.line(fmt::format("{} {{ {}{}{} }}", p.keyword, p.body, id, modifiers));
+      out.line(fmt::format("{} {{ {}{} }}", p.keyword, p.body, modifiers));
     }
+  }
+
+  // POV-Ray asks the whole of a solid whether it casts a shadow, not its parts.
+  std::string shadow(const Object& o, const Around& around, Around& inside) {
+    if (o.casts_shadow || around.in_shadowless) return {};
+    if (around.in_solid)
+      inexact_.push_back({"in POV-Ray a solid casts its shadow as a whole: `casts_shadow` of a part cannot be written", o.origin});
+    inside.in_shadowless = true;
+    return " no_shadow";
   }
 
   // The texture where the object is the one that says it, and the index of refraction where it is a solid of its own.
@@ -127,28 +142,32 @@ private:
     std::string text;
     if (o.material != no_material) inside.material = o.material;
     if (o.material != no_material || !around.is_textured) {
-      text += " texture { " + texture(o.material) + " }";
+      text = fmt::format(" texture {{ {} }}", texture(o.material));
       inside.is_textured = true;
     }
-    if (around.in_solid || o.shape.kind == kind_of<Group>) return text;
-    if (o.shape.kind == kind_of<Combination>) {
-      const Material* medium = medium_of(o, inside.material);
-      return medium ? text + " " + interior(*medium) : text;
-    }
-    const Material& m = material(inside.material);
-    return needs_interior(m) ? text + " " + interior(m) : text;
+    if (around.in_solid || o.shape.kind == kind_of<Group> || !has_interior(o, around.material)) return text;
+    const Material* medium = o.material != no_material && material(o.material).refract > 0 ? &material(o.material)
+                                                                                           : refracting_part(o, around.material);
+    return fmt::format("{} {}", text, interior(medium ? *medium : material(inside.material)));
+  }
+
+  bool has_interior(const Object& o, MaterialId inherited) const {
+    const MaterialId id = o.material != no_material ? o.material : inherited;
+    if (!is_composite(o.shape)) return needs_interior(material(id));
+    const auto& parts = members(o.shape);
+    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return part.is_visible && has_interior(part, id); });
   }
 
   // A combination is one medium: its own material's, else that of its leftmost refracting part.
-  const Material* medium_of(const Object& o, MaterialId inherited) const {
+  const Material* refracting_part(const Object& o, MaterialId inherited) const {
     const MaterialId id = o.material != no_material ? o.material : inherited;
-    if (o.shape.kind != kind_of<Group> && o.shape.kind != kind_of<Combination>)
-      return needs_interior(material(id)) ? &material(id) : nullptr;
-    if (o.material != no_material && needs_interior(material(id))) return &material(id);
-    for (const Object& member : members(o.shape))
-      if (const Material* found = member.is_visible ? medium_of(member, id) : nullptr) return found;
+    if (!is_composite(o.shape)) return material(id).refract > 0 ? &material(id) : nullptr;
+    for (const Object& part : members(o.shape))
+      if (const Material* found = part.is_visible ? refracting_part(part, id) : nullptr) return found;
     return nullptr;
   }
+
+  static bool is_composite(ShapeRef shape) { return shape.kind == kind_of<Group> || shape.kind == kind_of<Combination>; }
 
   const std::vector<Object>& members(ShapeRef shape) const {
     return shape.kind == kind_of<Group> ? scene_.shapes.get<Group>(shape).members
@@ -176,8 +195,8 @@ private:
 
   void composite(Writer& out, std::string_view word, ShapeRef shape, const Around& inside, const std::string& modifiers,
                  std::uint32_t uses) {
-    // Ids tell instances apart: there every instance is written out.
-    if (uses > 1 && options_.pass != Pass::ids) {
+    // Ids tell the members of instances apart: there every instance is written out.
+    if (uses > 1 && (options_.pass != Pass::ids || inside.in_solid)) {
       out.line(fmt::format("object {{ {}{} }}", declared(word, shape, inside), modifiers));
       return;
     }
@@ -225,8 +244,8 @@ private:
   }
 
   void count_uses(const Object& o) {
+    if (!o.is_visible || !is_composite(o.shape)) return;
     const bool is_group = o.shape.kind == kind_of<Group>;
-    if (!o.is_visible || (!is_group && o.shape.kind != kind_of<Combination>)) return;
     if (++(is_group ? group_uses_ : combination_uses_)[o.shape.index] > 1) return;
     for (const Object& member : members(o.shape)) count_uses(member);
   }

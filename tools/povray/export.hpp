@@ -40,8 +40,8 @@ Exported export_povray(const scene::Scene& scene, const ExportOptions& options =
 struct Packed {
   std::uint16_t r = 0, g = 0, b = 0;
 };
-/// The pixel of `Pass::ids`: 0 for a miss, else the primitive's number, from 1 in order of declaration (members of
-/// composites in their places, every instance counted).
+/// The pixel of `Pass::ids`: 0 for a miss, else the object's number, from 1 in order of declaration. What is not visible is
+/// not counted, members of groups are, in every instance; a combination is one object. So are those of `Film::object_id`.
 std::uint32_t decode_id(Packed pixel);
 /// The pixel of `Pass::depth`: the distance with a relative error of at most 2⁻⁴², infinite for a miss.
 double decode_depth(Packed pixel);

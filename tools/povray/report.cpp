@@ -15,7 +15,7 @@ std::string value_text(const Verdict& v, double value) {
   return fmt::format("{:.3g}", value);
 }
 
-std::string pixel_text(const Report& report, const std::vector<PrimitiveName>& names, const Outlier& o) {
+std::string pixel_text(const Report& report, const std::vector<ObjectName>& names, const Outlier& o) {
   std::string text = fmt::format("  ({}, {})  {}: {}", o.x, o.y, cause_name(o.cause), object_text(*report.description, names, o.our_id));
   if (o.our_id != o.their_id) text += fmt::format("; POV-Ray: {}", object_text(*report.description, names, o.their_id));
   if (o.depth_error > report.gates.depth) text += fmt::format("; distance {:.3g}", o.depth_error);
@@ -40,10 +40,10 @@ std::vector<Verdict> Report::verdicts() const {
   return all;
 }
 
-std::string object_text(const scene::Scene& scene, const std::vector<PrimitiveName>& names, std::uint32_t id) {
+std::string object_text(const scene::Scene& scene, const std::vector<ObjectName>& names, std::uint32_t id) {
   if (id == 0) return "nothing";
   if (id > names.size()) return fmt::format("object {}", id);
-  const PrimitiveName& found = names[id - 1];
+  const ObjectName& found = names[id - 1];
   const std::string place = place_text(scene, found.origin);
   return place.empty() ? found.name : fmt::format("{}, {}", found.name, place);
 }
@@ -64,7 +64,7 @@ std::string report_text(const Report& report) {
                       c.id_mismatches, c.depths, 100 * static_cast<double>(c.color_within_8bit) / static_cast<double>(c.pixels),
                       c.color_max, c.color_max_x, c.color_max_y);
   if (!report.shots->is_float) text += "  POV-Ray left no float picture: colours are compared in 16 bits from 0 to 1.\n";
-  const std::vector<PrimitiveName> names = primitive_names(*report.description);
+  const std::vector<ObjectName> names = object_names(*report.description);
   for (std::size_t i = 0; i < std::min(c.outliers.size(), lines_of_outliers); ++i)
     text += pixel_text(report, names, c.outliers[i]);
   if (c.outliers.size() > lines_of_outliers) text += fmt::format("  and {} more pixels\n", c.outliers.size() - lines_of_outliers);
@@ -81,7 +81,7 @@ std::string report_json(const Report& report) {
   json inexact = json::array();
   for (const Inexact& i : report.inexact)
     inexact.push_back({{"message", i.message}, {"place", place_text(*report.description, i.origin)}});
-  const std::vector<PrimitiveName> names = primitive_names(*report.description);
+  const std::vector<ObjectName> names = object_names(*report.description);
   json outliers = json::array();
   for (std::size_t i = 0; i < std::min(c.outliers.size(), json_outliers); ++i) {
     const Outlier& o = c.outliers[i];

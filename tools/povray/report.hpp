@@ -20,8 +20,8 @@ struct Report {
   bool holds() const { return all_hold(verdicts()); }
 };
 
-/// "ball, still_life.rtl:12" for the number of a primitive, "nothing" for 0.
-std::string object_text(const scene::Scene& scene, const std::vector<PrimitiveName>& names, std::uint32_t id);
+/// "ball, still_life.rtl:12" for the number of an object, "nothing" for 0.
+std::string object_text(const scene::Scene& scene, const std::vector<ObjectName>& names, std::uint32_t id);
 
 /// A table, and a line for each of the worst pixels.
 std::string report_text(const Report& report);

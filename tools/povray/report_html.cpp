@@ -170,7 +170,7 @@ std::string gate_rows(const Report& report) {
   return text;
 }
 
-std::string figure(const Report& report, const std::vector<PrimitiveName>& names, const Outlier& o) {
+std::string figure(const Report& report, const std::vector<ObjectName>& names, const Outlier& o) {
   const auto canvas = [&](const char* of) {
     return fmt::format("<canvas data-x=\"{}\" data-y=\"{}\" data-of=\"{}\"></canvas>", o.x, o.y, of);
   };
@@ -190,7 +190,7 @@ std::string figure(const Report& report, const std::vector<PrimitiveName>& names
 std::string outliers(const Report& report) {
   const auto& all = report.comparison.outliers;
   if (all.empty()) return "<p>None.</p>";
-  const std::vector<PrimitiveName> names = primitive_names(*report.description);
+  const std::vector<ObjectName> names = object_names(*report.description);
   std::string text = fmt::format("<p>{} of {} pixels; ours left, POV-Ray's right.</p>\n<div class=\"zoom\">\n", all.size(),
                                  report.comparison.pixels);
   for (std::size_t i = 0; i < std::min(all.size(), enlarged_pixels); ++i) text += figure(report, names, all[i]);

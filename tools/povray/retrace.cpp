@@ -1,91 +1,64 @@
 #include "tools/povray/retrace.hpp"
 
-#include "renderer/camera.hpp"
-#include "renderer/integrators/whitted.hpp"
-#include "renderer/traceable.hpp"
+#include "renderer/tracer.hpp"
 #include "tools/povray/export_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace rt::tools::povray {
 namespace {
 
-constexpr double beside = 1e-9, behind = 1e-6;
+constexpr double beside = 1e-9, behind = 1e-6, povray_nearest = 1e-4;
+
+std::uint32_t number(const HitReport& hit) { return static_cast<std::uint32_t>(hit.order + 1); }
+
+Ray center(const Tracer& tracer, int x, int y) { return tracer.camera().ray(x + 0.5, y + 0.5); }
 
 } // namespace
 
-struct Retracer::Tracing {
-  explicit Tracing(const scene::Scene& scene)
-      : traceable(scene, 1), camera(scene.camera, scene.size), side(static_cast<int>(std::lround(std::sqrt(scene.samples)))),
-        whitted(traceable, recorder) {}
-
-  Ray center(int x, int y) const { return camera.ray(x + 0.5, y + 0.5); }
-
-  std::uint32_t id(const Ray& ray, double from, double to = std::numeric_limits<double>::max()) {
-    const RayHit hit = traceable.nearest(ray, {from, to}, scratch);
-    if (!hit) return 0;
-    return static_cast<std::uint32_t>(traceable.surface(ray, hit).order + 1);
-  }
-
-  Traceable traceable;
-  CameraRays camera;
-  int side;
-  NoRecorder recorder;
-  Whitted<PovrayTolerances> whitted;
-  TraceScratch scratch;
-};
-
-Retracer::Retracer(const scene::Scene& scene) : scene_(scene) {}
+Retracer::Retracer(const scene::Scene& scene) : scene_(scene), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))) {}
 Retracer::~Retracer() = default;
 
-Retracer::Tracing& Retracer::tracing() {
-  if (!tracing_) tracing_ = std::make_unique<Tracing>(scene_);
-  return *tracing_;
+const Tracer& Retracer::tracer() {
+  if (!tracer_) tracer_ = std::make_unique<Tracer>(scene_, 1);
+  return *tracer_;
 }
 
 Rgb32 Retracer::color(int x, int y) {
-  Tracing& t = tracing();
   Color sum;
-  for (int sample = 0; sample < t.side * t.side; ++sample) sum += t.whitted.radiance(t.camera.ray(x, y, sample, t.side), {});
-  sum = sum * (1.0 / (t.side * t.side));
+  for (int sample = 0; sample < side_ * side_; ++sample)
+    sum += tracer().radiance(tracer().camera().ray(x, y, sample, side_), Tracer::Tolerances::povray);
+  sum = sum * (1.0 / (side_ * side_));
   return {static_cast<float>(sum.r), static_cast<float>(sum.g), static_cast<float>(sum.b)};
 }
 
 std::uint32_t Retracer::hit_with_povray_limits(int x, int y) {
-  return tracing().id(tracing().center(x, y), PovrayTolerances::nearest, farthest_hit);
+  const auto hit = tracer().nearest(center(tracer(), x, y), {povray_nearest, farthest_hit});
+  return hit ? number(*hit) : 0;
 }
 
 bool Retracer::is_hit_beside(int x, int y, std::uint32_t id) {
-  Tracing& t = tracing();
-  const Ray ray = t.center(x, y);
-  const Vec3 across = t.camera.ray(x + 1.5, y + 0.5).direction - ray.direction;
-  const bool is_orthographic = length(across) == 0;
+  const Ray ray = center(tracer(), x, y);
+  const bool is_orthographic = scene_.camera.projection == scene::Projection::orthographic;
   const Vec3 least = std::abs(ray.direction.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 u = normalize(cross(ray.direction, least)), v = cross(ray.direction, u);
-  const double reach = is_orthographic ? beside * std::max(1.0, length(ray.origin)) : beside;
   for (int i = 0; i < 8; ++i) {
     const double a = i * (std::numbers::pi / 4);
-    const Vec3 off = (u * std::cos(a) + v * std::sin(a)) * reach;
-    const Ray other = is_orthographic ? Ray{ray.origin + off, ray.direction} : Ray{ray.origin, normalize(ray.direction + off)};
-    if (t.id(other, 0) == id) return true;
+    const Vec3 off = (u * std::cos(a) + v * std::sin(a)) * (is_orthographic ? beside * scene_.camera.width : beside);
+    const auto hit = tracer().nearest(is_orthographic ? Ray{ray.origin + off, ray.direction} : Ray{ray.origin, normalize(ray.direction + off)});
+    if ((hit ? number(*hit) : 0) == id) return true;
   }
   return false;
 }
 
 bool Retracer::is_hit_behind(int x, int y, std::uint32_t id) {
-  Tracing& t = tracing();
-  const Ray ray = t.center(x, y);
-  const RayHit hit = t.traceable.nearest(ray, {}, t.scratch);
-  if (!hit) return false;
-  const double end = hit.t * (1 + behind);
-  for (double from = hit.t; from <= end;) {
-    const RayHit next = t.traceable.nearest(ray, {from, end}, t.scratch);
-    if (!next) return false;
-    if (t.traceable.surface(ray, next).order + 1 == id) return true;
-    from = next.t;
-  }
-  return false;
+  const Ray ray = center(tracer(), x, y);
+  const auto first = tracer().nearest(ray);
+  if (!first) return false;
+  const std::vector<HitReport> hits = tracer().all_hits(ray, {first->t * (1 - behind), first->t * (1 + behind)});
+  return std::any_of(hits.begin(), hits.end(), [&](const HitReport& hit) { return number(hit) == id; });
 }
 
 } // namespace rt::tools::povray

@@ -6,6 +6,10 @@
 #include <cstdint>
 #include <memory>
 
+namespace rt {
+class Tracer;
+}
+
 namespace rt::tools::povray {
 
 /// Traces single pixels of a scene again, to find out why POV-Ray's picture is another.
@@ -17,19 +21,19 @@ public:
   /// The pixel's colour under POV-Ray's limits: no hit nearer than 1e-4, no blocker nearer than 1e-3 to either end of a
   /// shadow ray.
   Rgb32 color(int x, int y);
-  /// The number of the primitive that the centre ray meets if nothing nearer than 1e-4 or farther than 1e7 counts.
+  /// The number of the object that the centre ray meets if nothing nearer than 1e-4 or farther than 1e7 counts.
   std::uint32_t hit_with_povray_limits(int x, int y);
   /// Whether a ray beside the centre ray (1e-9 of its length off, in one of eight directions) meets `id`.
   bool is_hit_beside(int x, int y, std::uint32_t id);
-  /// Whether `id` is met within 1e-6 of the distance behind what the centre ray meets first.
+  /// Whether the centre ray meets `id` too, within 1e-6 of the distance of what it meets first.
   bool is_hit_behind(int x, int y, std::uint32_t id);
 
 private:
-  struct Tracing;
-  Tracing& tracing();
+  const Tracer& tracer();
 
   const scene::Scene& scene_;
-  std::unique_ptr<Tracing> tracing_; ///< made when it is first needed: most pictures need none
+  int side_;                       ///< of a pixel's grid of samples
+  std::unique_ptr<Tracer> tracer_; ///< made when it is first needed: most pictures need none
 };
 
 /// The largest difference of a channel, of 1 or of the value where that is greater.

@@ -30,7 +30,7 @@ std::vector<Rgb32> shrink(const std::vector<Rgb32>& large, int width, int height
 class Names {
 public:
   explicit Names(const Scene& scene) : scene_(scene) { walk(scene.objects, no_name); }
-  std::vector<PrimitiveName> take() { return std::move(names_); }
+  std::vector<ObjectName> take() { return std::move(names_); }
 
 private:
   void walk(const std::vector<Object>& objects, NameId around) {
@@ -38,7 +38,6 @@ private:
       if (!o.is_visible) continue;
       const NameId name = o.name == no_name ? around : o.name;
       if (o.shape.kind == kind_of<Group>) walk(scene_.shapes.get<Group>(o.shape).members, name);
-      else if (o.shape.kind == kind_of<Combination>) walk(scene_.shapes.get<Combination>(o.shape).operands, name);
       else names_.push_back({name == no_name ? noun(o.shape) : scene_.names[static_cast<std::size_t>(name)], o.origin});
     }
   }
@@ -48,7 +47,7 @@ private:
   }
 
   const Scene& scene_;
-  std::vector<PrimitiveName> names_;
+  std::vector<ObjectName> names_;
 };
 
 } // namespace
@@ -80,6 +79,6 @@ Shots shoot(const Scene& scene, const ShootOptions& options) {
   return shots;
 }
 
-std::vector<PrimitiveName> primitive_names(const Scene& scene) { return Names(scene).take(); }
+std::vector<ObjectName> object_names(const Scene& scene) { return Names(scene).take(); }
 
 } // namespace rt::tools::povray

@@ -23,11 +23,11 @@ struct ShootOptions {
 Shots shoot(const scene::Scene& scene, const ShootOptions& options = {});
 
 /// What a pixel's number stands for.
-struct PrimitiveName {
-  std::string name; ///< the nearest name written for it or a composite around it, else what it is ("sphere")
+struct ObjectName {
+  std::string name; ///< the nearest name written for it or a group around it, else what it is ("sphere")
   scene::Origin origin;
 };
-/// All visible primitives in the order of their numbers: that of `id` is at `id − 1`.
-std::vector<PrimitiveName> primitive_names(const scene::Scene& scene);
+/// All objects that have numbers: that of `id` is at `id − 1`.
+std::vector<ObjectName> object_names(const scene::Scene& scene);
 
 } // namespace rt::tools::povray

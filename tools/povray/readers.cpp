@@ -47,7 +47,7 @@ struct Block {
 
 constexpr std::size_t bytes_per_pixel = 20;
 
-// A message is an object of attributes: key, type, the number of bytes, and those bytes.
+// A message is an object of attributes: key, type, the number of bytes (of floats in a vector of floats), and those.
 Block read_block(Bytes& bytes) {
   Block block;
   bytes.take(8); // the object's key and type
@@ -55,7 +55,7 @@ Block read_block(Bytes& bytes) {
   for (std::uint32_t i = 0; i < attributes && !bytes.failed(); ++i) {
     const std::string_view key = bytes.take(4), type = bytes.take(4);
     const std::uint32_t size = bytes.u32();
-    if (key == "PBlo" && type == "VFL4") block.pixels = bytes.take(size);
+    if (key == "PBlo" && type == "VFL4") block.pixels = bytes.take(4 * std::size_t{size});
     else if (type == "INT4" && size == 4) {
       const std::uint32_t value = bytes.u32();
       if (key == "Left") block.left = value;

@@ -142,6 +142,35 @@ void Traceable::transmittance(std::span<const Ray> rays, std::span<const Interva
   for (std::size_t i = 0; i < rays.size(); ++i) results[i] = blocked[i] ? black : through(scratch[i].filters);
 }
 
+bool Traceable::casts_shadow(const RayHit& hit) const {
+  const Assembly* assembly = &compiled_.root();
+  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+    std::uint32_t slot = 0;
+    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    if (!step.leaves->tag(step.index).casts_shadow) return false;
+    assembly = step.leaves->leaf(step.index).assembly;
+    first += step.order;
+  }
+  if (!hit.kind->tag(hit.leaves, hit.index).casts_shadow) return false;
+  if (hit.kind != &leaf_kind<SolidLeaves>) return true;
+  return static_cast<const SolidLeaves*>(hit.leaves)->leaf(hit.index).solid->operand(hit.operand).casts_shadow;
+}
+
+Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) const {
+  Color left = white;
+  double last = 0;
+  for (const RayHit& hit : all_hits(ray, {gap, end})) {
+    if (hit.t - last <= gap || !casts_shadow(hit)) continue;
+    const Surface s = surface(ray, hit);
+    MaterialValues scratch;
+    const MaterialValues& v = values(s, scratch);
+    if (v.refract == 0) return black;
+    left *= v.color * v.refract;
+    last = hit.t;
+  }
+  return left;
+}
+
 Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
   const Styles& styles = compiled_.styles();
   const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);

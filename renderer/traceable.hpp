@@ -48,6 +48,10 @@ public:
   void transmittance(std::span<const Ray> rays, std::span<const Interval> ranges, std::span<Color> results,
                      std::span<TraceScratch> scratch) const;
 
+  /// The same from surface to surface, where one counts only if it is more than `gap` behind the one before (or the
+  /// ray's origin), as POV-Ray goes. Slow: for explaining single pixels.
+  Color transmittance_by_steps(const Ray& ray, double end, double gap) const;
+
   /// What is to be known of a hit of `ray`.
   Surface surface(const Ray& ray, const RayHit& hit) const;
   const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
@@ -71,6 +75,8 @@ public:
   int max_depth() const { return max_depth_; }
 
 private:
+  bool casts_shadow(const RayHit& hit) const;
+
   Traceable(const scene::Scene& scene, Compiled compiled);
 
   Compiled compiled_;

@@ -27,7 +27,8 @@ struct OwnTolerances {
   static double shadow_end(double distance) { return std::min(distance * (1 - 0x1p-40), unlimited); }
 };
 
-/// POV-Ray's, for explaining where its pictures differ from ours: in lengths of the scene.
+/// POV-Ray's, for explaining where its pictures differ from ours: in lengths of the scene. With them, ratios of indices of
+/// refraction are rounded as POV-Ray does, too.
 struct PovrayTolerances {
   static constexpr bool moves_origins = false;
   static constexpr double nearest = 1e-4;
@@ -192,8 +193,10 @@ private:
     Arrival arrival = approach(lamp, surface, normal);
     if (lamp.shadows && arrival.is_facing()) {
       ++counts_.shadow;
-      arrival.filter = scene_.transmittance(leaving(surface, arrival.incidence.to_light),
-                                            shadow_range(arrival.incidence), scratch_);
+      const Ray ray = leaving(surface, arrival.incidence.to_light);
+      const Interval range = shadow_range(arrival.incidence);
+      if constexpr (Tolerances::moves_origins) arrival.filter = scene_.transmittance(ray, range, scratch_);
+      else arrival.filter = scene_.transmittance_by_steps(ray, range.upper, range.lower);
     }
     return arrival;
   }
@@ -247,12 +250,13 @@ private:
     const bool is_transparent = v.refract > 0;
     const Interior interior{m.surface.order, m.surface.ior};
     Passage passage;
-    double cos2_behind = 1;
+    double eta = 1, cos2_behind = 1;
     bool is_bent = false;
     if (is_transparent) {
       passage = interiors_.passage(m.inside, interior);
-      is_bent = std::abs(passage.eta() - 1) >= 1e-10;
-      if (is_bent) cos2_behind = cos2_refracted(m.cosine, passage.eta());
+      eta = ratio(passage, m.inside);
+      is_bent = std::abs(eta - 1) >= 1e-10;
+      if (is_bent) cos2_behind = cos2_refracted(m.cosine, eta);
       if (cos2_behind < 0) {
         // Total internal reflection takes the place of both branches.
         sum += passed * branch(RayKind::total_reflection, m, reflect(m.direction, m.normal), white, m.inside);
@@ -274,14 +278,26 @@ private:
     ++counts_.refracted;
     const List behind = interiors_.after(m.inside, interior);
     if (is_bent) {
-      const Vec3 direction = refract(m.direction, m.normal, passage.eta(), m.cosine, cos_behind);
+      const Vec3 direction = refract(m.direction, m.normal, eta, m.cosine, cos_behind);
       sum += passed * tau * branch(RayKind::refracted, m, direction, tau, behind);
+      return false;
+    }
+    // What goes on unbent is no deeper than before, but there must be one step to spare: so does POV-Ray count.
+    if (m.depth >= scene_.max_depth()) {
+      recorder_.too_deep();
       return false;
     }
     passed *= tau;
     ray = leaving(m.surface, m.direction);
     inside = behind;
     return true;
+  }
+
+  // POV-Ray divides the indices of two solids in 32 bits, and only with the void's in 64.
+  static double ratio(const Passage& passage, List inside) {
+    if constexpr (Tolerances::moves_origins) return passage.eta();
+    const bool has_void = inside.size == 0 || (passage.kind == Passage::Kind::leaving && inside.size == 1);
+    return has_void ? passage.eta() : static_cast<float>(passage.eta());
   }
 
   Color mirror_weight(const Meeting& m, const Interior& interior) {

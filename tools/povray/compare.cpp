@@ -76,11 +76,17 @@ private:
       o.is_traced_again = true;
       o.again = retracer_.color(x, y);
       if (!shots_.is_float) o.again = clamped(o.again);
-      const bool agrees = color_difference(o.again, o.theirs) <= gates_.color;
-      result_.color_unexplained += !agrees;
-      if (agrees && is_same && !is_geometric(o.cause)) o.cause = Cause::tolerance;
+      explain_color(o, is_same && !is_geometric(o.cause));
     }
     result_.outliers.push_back(o);
+  }
+
+  void explain_color(Outlier& o, bool may_be_shading) {
+    const bool agrees = color_difference(o.again, o.theirs) <= gates_.color;
+    const bool is_unstable = !agrees && shots_.is_float && retracer_.is_unstable(o.x, o.y, o.theirs, gates_.color);
+    result_.color_unexplained += !agrees && !is_unstable;
+    result_.color_unstable += is_unstable;
+    if (may_be_shading && (agrees || is_unstable)) o.cause = agrees ? Cause::tolerance : Cause::rounding;
   }
 
   static bool is_geometric(Cause cause) { return cause == Cause::depth || cause == Cause::normal; }
@@ -165,6 +171,7 @@ const char* cause_name(Cause cause) {
   case Cause::tangency: return "tangency";
   case Cause::coincidence: return "coincidence";
   case Cause::tolerance: return "POV-Ray's tolerance";
+  case Cause::rounding: return "rounding";
   }
   return "";
 }

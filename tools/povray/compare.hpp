@@ -35,6 +35,7 @@ enum class Cause : std::uint8_t {
   tangency,  ///< explained: a ray 1e-9 beside this one meets the other object
   coincidence, ///< explained: the other object's surface is as near, within 1e-6
   tolerance, ///< explained: traced again with POV-Ray's own limits the pixel agrees
+  rounding,  ///< explained: with rays turned by at most 1e-12 it agrees
 };
 const char* cause_name(Cause cause);
 constexpr bool is_explained(Cause cause) { return cause >= Cause::tangency; }
@@ -65,6 +66,7 @@ struct Comparison {
   std::size_t color_equal = 0;     ///< within `Gates::color`
   std::size_t color_within_8bit = 0; ///< within 1/255
   std::size_t color_unexplained = 0;
+  std::size_t color_unstable = 0; ///< explained by rounding alone
   double color_max = 0;
   int color_max_x = 0, color_max_y = 0;
 };

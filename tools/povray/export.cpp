@@ -41,6 +41,7 @@ private:
     bool is_textured = false;          ///< a composite around it writes a texture in the exported text
     bool in_solid = false;
     bool in_shadowless = false;
+    bool is_inside = false; ///< of any composite
   };
 
   void header(Writer& out) {
@@ -102,6 +103,12 @@ private:
       if (has_surface(o)) object(out, o, around);
   }
 
+  bool has_smooth(const Object& o) const {
+    if (!o.is_visible || !is_composite(o.shape)) return o.is_visible && is_smooth(scene_.shapes, o.shape);
+    const auto& parts = members(o.shape);
+    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return has_smooth(part); });
+  }
+
   // POV-Ray wants no composite without members.
   bool has_surface(const Object& o) const {
     if (!o.is_visible || !is_composite(o.shape)) return o.is_visible;
@@ -120,9 +127,15 @@ private:
     if (options_.pass == Pass::ids && !around.in_solid && o.shape.kind != kind_of<Group>)
       modifiers = fmt::format(" {}", id_texture(++last_id_));
     modifiers += transforms(placement_of(o));
+    // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only in
+    // `scale`: not in `matrix`.
+    if (!around.is_inside && has_smooth(o)) modifiers += " scale 1";
+    inside.is_inside = true;
     if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
     else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
     else {
+      if (o.shape.kind == kind_of<Triangle> && is_dropped(scene_.shapes.get<Triangle>(o.shape)))
+        inexact_.push_back({"POV-Ray leaves out a triangle whose `normals` are not all on the same side of it", o.origin});
       const Primitive p = primitive(scene_.shapes, o.shape);
       out.line(fmt::format("{} {{ {}{} }}", p.keyword, p.body, modifiers));
     }

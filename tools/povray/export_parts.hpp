@@ -20,6 +20,11 @@ struct Primitive {
 /// Of a shape that is no composite.
 Primitive primitive(const scene::Shapes& shapes, scene::ShapeRef shape);
 
+/// Whether the shape is a triangle with vertex normals.
+bool is_smooth(const scene::Shapes& shapes, scene::ShapeRef shape);
+/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it.
+bool is_dropped(const scene::Triangle& triangle);
+
 /// `head` is what stands before the brace: `texture` or `#declare name = texture`.
 void write_texture(Writer& out, const std::string& head, const scene::Scene& scene, const scene::Material& material,
                    std::vector<std::string>& inexact);

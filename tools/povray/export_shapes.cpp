@@ -62,15 +62,14 @@ Primitive primitive_of(const Disc& d) {
                               d.hole > 0 ? ", " + number(d.hole) : std::string{})};
 }
 
-// POV-Ray carries vertex normals through a transform one by one and normalises them, before it interpolates: so do we.
 Primitive primitive_of(const Triangle& t) {
-  const bool is_smooth = t.normals.size() == 3;
+  const bool has_normals = t.normals.size() == 3;
   std::string body;
   for (std::size_t i = 0; i < 3; ++i) {
     body += (i > 0 ? ", " : "") + vector(t.points[i]);
-    if (is_smooth) body += ", " + vector(t.normals[i]);
+    if (has_normals) body += ", " + vector(t.normals[i]);
   }
-  return {is_smooth ? "smooth_triangle" : "triangle", body};
+  return {has_normals ? "smooth_triangle" : "triangle", body};
 }
 
 // POV-Ray's polygons are closed by repeating the first point.
@@ -101,6 +100,17 @@ Primitive primitive_of(const Group&) { return {}; }
 Primitive primitive_of(const Combination&) { return {}; }
 
 } // namespace
+
+bool is_smooth(const Shapes& shapes, ShapeRef shape) {
+  return shape.kind == kind_of<Triangle> && shapes.get<Triangle>(shape).normals.size() == 3;
+}
+
+bool is_dropped(const Triangle& t) {
+  if (t.normals.size() != 3) return false;
+  const Vec3 flat = cross(t.points[0] - t.points[1], t.points[2] - t.points[1]);
+  const auto side = [&](std::size_t i) { return dot(flat, t.normals[i]); };
+  return !(side(0) > 0 && side(1) > 0 && side(2) > 0) && !(side(0) < 0 && side(1) < 0 && side(2) < 0);
+}
 
 Primitive primitive(const Shapes& shapes, ShapeRef shape) {
   return shapes.visit(shape, [](const auto& s) { return primitive_of(s); });

@@ -14,7 +14,7 @@ struct Gates {
   double depth_p999 = 1e-12;    ///< the same, for 99.9 % of the pixels
   double normals = 1e-6;        ///< largest angle between normals, radians
   double color = 1e-5;          ///< a colour within this of POV-Ray's (of 1, or of itself where it is brighter) is equal
-  double color_share = 0.9999;  ///< at least this share of the pixels is equal, or all but one
+  double color_share = 0.99;    ///< at least this share of the pixels is equal, or all but one
   double color_unexplained = 0; ///< at most so many of the others have no explanation
 };
 

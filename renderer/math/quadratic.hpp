@@ -12,7 +12,7 @@ struct QuadraticRoots {
 
   QuadraticRoots(double a, double b, double c, double d) {
     const double root = std::sqrt(d);
-    const double q = b >= 0 ? -(b + root) : root - b;
+    const double q = -(b + std::copysign(root, b));
     first = q / a;
     second = q == 0 ? first : c / q;
   }

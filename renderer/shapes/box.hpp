@@ -49,13 +49,16 @@ struct BoxSpan {
   }
 
 private:
-  // A quotient 0/0, of a line within a face's plane, is no number and fails every comparison: it clips nothing.
+  // A product 0·∞, of a line within a face's plane, is no number and fails every comparison: it clips nothing.
   void clip(double lower, double upper, double direction, std::uint32_t part) {
-    const bool backward = std::signbit(direction);
-    const double first = (backward ? upper : lower) / direction;
-    const double last = (backward ? lower : upper) / direction;
-    if (first > enter.t) enter = {first, part + (backward ? 1U : 0U)};
-    if (last < leave.t) leave = {last, part + (backward ? 0U : 1U)};
+    const double inverse = 1 / direction;
+    const std::uint32_t backward = std::signbit(direction) ? 1 : 0;
+    const double first = (backward != 0 ? upper : lower) * inverse;
+    const double last = (backward != 0 ? lower : upper) * inverse;
+    enter.part = first > enter.t ? part + backward : enter.part;
+    enter.t = first > enter.t ? first : enter.t;
+    leave.part = last < leave.t ? part + 1 - backward : leave.part;
+    leave.t = last < leave.t ? last : leave.t;
   }
 };
 

@@ -62,28 +62,22 @@ Span from(double t) {
 } // namespace
 
 Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
-  const Vec3 &m = ray.origin_arm, &n = ray.direction_arm;
-  const double radius = cone.radius + cone.slope * ray.height;
-  const double widening = cone.slope * ray.climb;
+  const Vec3 m = ray.origin_arm(), n = ray.direction_arm();
+  const double radius = cone.radius + cone.slope * dot(ray.origin, ray.axis);
+  const double widening = cone.slope * dot(ray.direction, ray.axis);
   const double a = dot(n, n) - widening * widening;
   const double b = dot(m, n) - radius * widening;
   const double c = dot(m, m) - radius * radius;
   const double aside = dot(ray.origin, n); // |m × n|, with a sign
   const Vec3 w = n * radius - m * widening;
-  // Which of the two leaves the smaller rounding error depends on where the ray starts and how it runs.
-  const double cross_size = radius * std::sqrt(dot(n, n));
-  const double direct_error = std::abs(b) * cross_size + std::abs(a) * radius * radius + std::abs(c) * dot(n, n);
-  const double geometric_error = (length(w) + std::abs(aside)) * cross_size;
-  const double d = direct_error < geometric_error ? b * b - a * c : dot(w, w) - aside * aside;
+  const bool is_near = 16 * std::abs(c) < radius * radius && 16 * b * b < radius * radius * dot(n, n);
+  const double d = is_near || a == 0 ? b * b - a * c : dot(w, w) - aside * aside;
   if (a > 0 && c >= 0 && !(d >= 0)) return Span::empty();
   if (a == 0 && b == 0) return c < 0 ? Span{} : Span::empty();
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
   // Steeper than the side: a chord within one nappe.
-  if (a > 0) {
-    const bool is_first_low = b >= 0;
-    return {{is_first_low ? roots.first : roots.second, side_part},
-            {is_first_low ? roots.second : roots.first, side_part}};
-  }
+  if (a > 0)
+    return {{std::min(roots.first, roots.second), side_part}, {std::max(roots.first, roots.second), side_part}};
   // Parallel to a line of the side: inside from the one crossing on, or up to it.
   if (a == 0) return b > 0 ? until(roots.second) : from(roots.second);
   // Flatter: inside both nappes, beyond either crossing. The nappe that widens along the ray is entered, the other

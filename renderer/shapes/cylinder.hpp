@@ -53,17 +53,18 @@ constexpr bool is_solid(const CylinderGeometry& cylinder) {
 /// for an origin close to the surface and a direction close to touching it, b² − a·c is the more precise.
 inline Span side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
   const double radius_squared = cylinder.radius * cylinder.radius;
-  const double a = dot(ray.direction_arm, ray.direction_arm);
-  const double b = dot(ray.origin_arm, ray.direction_arm);
-  const double c = dot(ray.origin_arm, ray.origin_arm) - radius_squared;
-  const double aside = dot(ray.origin, ray.direction_arm);
+  const Vec3 n = ray.direction_arm();
+  const double a = dot(n, n), aside = dot(ray.origin, n);
   double d = radius_squared * a - aside * aside;
-  if (16 * std::abs(c) < radius_squared && 16 * b * b < radius_squared * a) d = b * b - a * c;
+  const Vec3 m = ray.origin_arm();
+  const double c = dot(m, m) - radius_squared;
   if (c >= 0 && !(d >= 0 && a > 0)) return Span::empty();
   if (a == 0) return {}; // along the axis, inside
+  const double b = dot(m, n);
+  if (16 * std::abs(c) < radius_squared && 16 * b * b < radius_squared * a) d = b * b - a * c;
+  if (c >= 0 && d < 0) return Span::empty();
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
-  const double low = b >= 0 ? roots.first : roots.second, high = b >= 0 ? roots.second : roots.first;
-  return {{low, side_part}, {high, side_part}};
+  return {{std::min(roots.first, roots.second), side_part}, {std::max(roots.first, roots.second), side_part}};
 }
 
 /// The stretch within the solid that the cylinder is, or would be if it were closed.

@@ -25,24 +25,31 @@ bool encloses_origin(std::span<const Vec3> outline, const Ray& ray) {
   return is_inside;
 }
 
+/// By rounding, a ray that is all but within the plane may meet it anywhere; but it does so no nearer and no farther
+/// off than the corners are.
+double within_reach(std::span<const Vec3> outline, const Ray& ray, double t) {
+  const double inverse = 1 / dot(ray.direction, ray.direction);
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Vec3& corner : outline) {
+    const double s = dot(corner - ray.origin, ray.direction) * inverse;
+    least = std::min(least, s), most = std::max(most, s);
+  }
+  return std::clamp(t, least, most);
+}
+
 } // namespace
 
 bool intersect_face(std::span<const Vec3> outline, const Vec3& normal, const Ray& ray, const Interval& range,
                     Hit& hit) {
   const double approach = dot(normal, ray.direction);
   if (approach == 0) return false;
-  const double t = dot(normal, outline.front() - ray.origin) / approach;
-  return along_largest(ray.direction, [&]<std::size_t Axis>() {
-    // A ray almost within the plane may meet it, by rounding, anywhere: no farther off than the corners are.
-    const auto [least, most] = std::minmax_element(outline.begin(), outline.end(),
-                                                   [](const Vec3& a, const Vec3& b) { return a[Axis] < b[Axis]; });
-    const double s = ((*least)[Axis] - ray.origin[Axis]) / ray.direction[Axis];
-    const double e = ((*most)[Axis] - ray.origin[Axis]) / ray.direction[Axis];
-    const double within = std::clamp(t, std::min(s, e), std::max(s, e));
-    if (!range.contains(within) || !encloses_origin<Axis>(outline, ray)) return false;
-    hit = {within, 0};
-    return true;
-  });
+  double t = dot(normal, outline.front() - ray.origin) / approach;
+  if (approach * approach < 1e-12 * dot(ray.direction, ray.direction)) t = within_reach(outline, ray, t);
+  if (!range.contains(t)) return false;
+  const bool is_inside =
+      along_largest(ray.direction, [&]<std::size_t Axis>() { return encloses_origin<Axis>(outline, ray); });
+  if (is_inside) hit = {t, 0};
+  return is_inside;
 }
 
 SurfacePoint flat_point(const Vec3& anchor, const Vec3& normal, double extent, const Ray& ray, const Hit& hit) {

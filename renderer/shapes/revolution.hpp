@@ -23,31 +23,30 @@ struct Span {
 struct AxialRay {
   Vec3 origin; ///< relative to the base
   Vec3 direction;
+  Vec3 axis;
   double advance = 0;
-  double height;      ///< of the origin, along the axis
-  double climb;       ///< of the direction
-  Vec3 origin_arm;    ///< origin × axis: perpendicular to the axis, as long as the distance from it
-  Vec3 direction_arm; ///< direction × axis
 
   /// `size` is about how large the shape is, `middle` how high above the base its middle lies.
-  AxialRay(const Ray& ray, const Vec3& base, const Vec3& axis, double middle, double size)
-      : origin(ray.origin - base), direction(ray.direction) {
+  AxialRay(const Ray& ray, const Vec3& base, const Vec3& unit_axis, double middle, double size)
+      : origin(ray.origin - base), direction(ray.direction), axis(unit_axis) {
     if (dot(origin, origin) > 64 * size * size) {
       advance = dot(axis * middle - origin, direction) / dot(direction, direction);
       origin = origin + direction * advance;
     }
-    height = dot(origin, axis);
-    climb = dot(direction, axis);
-    origin_arm = cross(origin, axis);
-    direction_arm = cross(direction, axis);
   }
 
-  /// The stretch between the planes at the heights 0 and `top`. A line within a plane counts as between.
+  /// The parts across the axis, turned by 90°: as long as the distance from the axis.
+  Vec3 origin_arm() const { return cross(origin, axis); }
+  Vec3 direction_arm() const { return cross(direction, axis); }
+
+  /// The stretch between the planes at the heights 0 and `top`. A line within a plane counts as between: the product
+  /// 0·∞ is no number, and no bound.
   Span between(double top) const {
-    Span span;
-    if (climb == 0) return height >= 0 && height <= top ? span : Span::empty();
-    const Hit base{-height / climb, base_part}, end{(top - height) / climb, top_part};
-    return climb > 0 ? Span{base, end} : Span{end, base};
+    const double height = dot(origin, axis), inverse = 1 / dot(direction, axis);
+    const bool falls = std::signbit(inverse);
+    const double first = (falls ? top - height : -height) * inverse;
+    const double last = (falls ? -height : top - height) * inverse;
+    return {{first, falls ? top_part : base_part}, {last, falls ? base_part : top_part}};
   }
 
   /// As the caller's ray counts.
@@ -56,7 +55,12 @@ struct AxialRay {
 
 /// The part of `side` that is also in `slab`; where both begin or end together it is at the side.
 inline Span overlap(const Span& side, const Span& slab) {
-  return {slab.enter.t > side.enter.t ? slab.enter : side.enter, slab.leave.t < side.leave.t ? slab.leave : side.leave};
+  Span both;
+  both.enter.part = slab.enter.t > side.enter.t ? slab.enter.part : side.enter.part;
+  both.enter.t = slab.enter.t > side.enter.t ? slab.enter.t : side.enter.t;
+  both.leave.part = slab.leave.t < side.leave.t ? slab.leave.part : side.leave.part;
+  both.leave.t = slab.leave.t < side.leave.t ? slab.leave.t : side.leave.t;
+  return both;
 }
 
 /// The nearest crossing of a solid's surface, or of its side alone where it is open: what would go through an end does

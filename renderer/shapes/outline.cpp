@@ -76,9 +76,22 @@ std::vector<Point2> flattened(std::span<const Vec3> points, const Vec3& normal) 
   return flat;
 }
 
+/// How many edges overlap at one x, on average.
+double crowding(const std::vector<Point2>& p, double Point2::*x) {
+  double low = p[0].*x, high = low, sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    low = std::min(low, p[i].*x), high = std::max(high, p[i].*x);
+    sum += std::abs(p[(i + 1) % p.size()].*x - p[i].*x);
+  }
+  return sum / (high - low);
+}
+
 /// The first pair of edges found to cross, as the numbers of their first points.
-std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const std::vector<Point2>& p) {
+std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(std::vector<Point2> p) {
   const std::size_t n = p.size();
+  if (crowding(p, &Point2::y) < crowding(p, &Point2::x)) {
+    for (Point2& q : p) std::swap(q.x, q.y);
+  }
   const auto left = [&](std::size_t i) { return std::min(p[i].x, p[(i + 1) % n].x); };
   const auto right = [&](std::size_t i) { return std::max(p[i].x, p[(i + 1) % n].x); };
   std::vector<std::size_t> order(n); // from left to right: only edges that overlap in x are compared

@@ -151,6 +151,17 @@ TEST_CASE("check: a long outline is checked in good time") {
   std::vector<Vec3> points;
   for (int i = 0; i < 50000; ++i) points.push_back({cos_degrees(i * 360.0 / 50000), sin_degrees(i * 360.0 / 50000), 0});
   CHECK(problem(points) == "");
+  // A zigzag, whose edges all overlap along one axis, in either direction.
+  for (const bool is_upright : {false, true}) {
+    points.clear();
+    for (int i = 0; i < 50000; ++i) points.push_back({i % 2 == 0 ? 0.0 : 100.0, i * 0.01, 0});
+    points.push_back({-1, 501, 0});
+    points.push_back({-1, 0, 0});
+    if (is_upright) {
+      for (Vec3& p : points) std::swap(p.x, p.y);
+    }
+    CHECK(problem(points) == "");
+  }
 }
 
 TEST_CASE("check: a combination of nothing is nothing, but not every one") {

@@ -82,7 +82,7 @@ bool ArgumentList::read(NodeId node, const Context& context) {
         continue;
       }
     } else if (++position > signature_.size() && !signature_.has_rest()) {
-      evaluator_.fail("E0208", ast.span(argument), fmt::format("`{}` takes at most {} arguments", name_, signature_.size()), "one too many");
+      evaluator_.fail("E0208", ast.span(argument), fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())), "one too many");
       return false;
     }
     is_fine &= put(i, std::move(value), ast.span(value_node));
@@ -92,7 +92,7 @@ bool ArgumentList::read(NodeId node, const Context& context) {
 
 bool ArgumentList::take(std::vector<Value> values) {
   if (values.size() > signature_.size() && !signature_.has_rest()) {
-    evaluator_.fail("E0208", place_, fmt::format("`{}` is called with {} arguments, and takes at most {}", name_, values.size(), signature_.size()));
+    evaluator_.fail("E0208", place_, fmt::format("`{}` is called with {}, and takes at most {}", name_, count_of_arguments(values.size()), signature_.size()));
     return false;
   }
   bool is_fine = true;

@@ -189,7 +189,7 @@ void Checker::check_function_call(Unit& unit, NodeId node, const FunctionInfo& f
   for (const NodeId argument : unit.ast.call(node).arguments) {
     if (unit.ast.kind(argument) != Kind::argument) {
       if (positional >= function.parameters.size())
-        return complain(unit.ast.span(argument), fmt::format("{} takes {} arguments", what, function.parameters.size()), "one too many");
+        return complain(unit.ast.span(argument), fmt::format("{} takes {}", what, count_of_arguments(function.parameters.size())), "one too many");
       is_given[positional++] = true;
       continue;
     }
@@ -224,7 +224,7 @@ void Checker::check_signature_call(Unit& unit, NodeId node, std::string_view fun
   for (const NodeId argument : unit.ast.call(node).arguments) {
     if (unit.ast.kind(argument) != Kind::argument) {
       if (positional >= signature.size() && !signature.has_rest())
-        return complain(unit.ast.span(argument), fmt::format("`{}` takes at most {} arguments", function, signature.size()), "one too many");
+        return complain(unit.ast.span(argument), fmt::format("`{}` takes at most {}", function, count_of_arguments(signature.size())), "one too many");
       is_given[std::min(positional++, signature.size() - 1)] = true;
       continue;
     }

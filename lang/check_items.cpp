@@ -41,6 +41,7 @@ void Checker::declare_library() {
 }
 
 void Checker::check_define(Define& define) {
+  is_define_ = true;
   declare_library();
   begin_activation();
   check_expression(*define.unit, define.unit->ast.root);
@@ -238,6 +239,7 @@ void Checker::check_bind(Unit& unit, NodeId item) {
   const BindItem bind = unit.ast.bind_item(item);
   const Symbol outer = being_bound_;
   being_bound_ = unit.ast.symbol(bind.name);
+  is_in_lambda_ = unit.ast.kind(bind.value) == Kind::lambda;
   Known known = check_expression(unit, bind.value);
   being_bound_ = outer;
   Binding* binding = declare(unit, bind.name, Binding::What::value);

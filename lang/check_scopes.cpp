@@ -27,9 +27,10 @@ void Checker::close_scope() {
 void Checker::report_masked_property(const Binding& binding, const Owner& owner) {
   Diagnostic* d = report_.error("E0207", binding.span);
   if (!d) return;
-  const std::string_view whose = owner.def ? name(owner.def->name) : owner.noun->name;
+  const bool is_scene = owner.noun == &program_.nouns.scene();
+  const std::string whose = is_scene ? "the scene" : fmt::format("`{}`", owner.def ? name(owner.def->name) : owner.noun->name);
   d->message = fmt::format("`{}` is a name here, and nothing reads it", name(binding.name));
-  d->label = fmt::format("to set the property of `{}`, write `{}: …`", whose, name(binding.name));
+  d->label = fmt::format("to set the property of {}, write `{}: …`", whose, name(binding.name));
 }
 
 std::uint32_t Checker::end_activation() {
@@ -166,7 +167,8 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
     if (note) d->notes.push_back(*std::move(note));
   };
   if (symbol == being_bound_)
-    return tell("E0203", fmt::format("`{}` has no value yet: its own line gives it one", word), "not known here");
+    return tell("E0203", fmt::format("`{}` has no value yet: its own line gives it one", word), "not known here",
+                is_in_lambda_ ? std::optional(Note{std::nullopt, fmt::format("a function that calls itself is written `fn {}(…) = …`", word)}) : std::nullopt);
   for (std::size_t i = scopes_.size(); i-- > 0;) {
     const Scope& scope = scopes_[i];
     if (scope.unit != &unit) continue;
@@ -186,6 +188,8 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
                 Note{*inner, fmt::format("bound here; for a name that depends on a condition, write `{} = if … {{ … }} else {{ … }}`", word)});
   if (const std::string other = dialect_name(word); !other.empty())
     return tell("E0201", fmt::format("there is no `{}` in this language", word), other);
+  if (is_define_)
+    return tell("E0201", fmt::format("unknown name `{}`", word), fmt::format("a string stands in quotes: '\"{}\"'", word));
   const std::vector<std::string_view> names = visible_names();
   const auto guess = nearest(word, names);
   tell("E0201", fmt::format("unknown name `{}`", word), guess ? fmt::format("did you mean `{}`?", *guess) : "not known here");

@@ -141,7 +141,9 @@ private:
   std::size_t top_scope_ = 0;            // index of the file's own scope
   Symbol being_bound_ = no_symbol;       // the name on the left of the `=` whose right side is being read
   bool names_are_missing_ = false;       // a file could not be read: names that are not found may have stood there
+  bool is_in_lambda_ = false;            // which is the right side of that `=`
   bool is_main_ = false;
+  bool is_define_ = false;
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
 };
 

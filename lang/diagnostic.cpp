@@ -112,7 +112,8 @@ public:
                                          : fmt::format("{}[{}]", word(diagnostic.severity), diagnostic.code));
     paint(bold, ": " + harmless(diagnostic.message));
     out_ += '\n';
-    snippet(diagnostic.span, diagnostic.label, color);
+    const bool is_about_all = diagnostic.severity == Severity::note && diagnostic.span.begin == diagnostic.span.end;
+    if (!is_about_all) snippet(diagnostic.span, diagnostic.label, color);
     for (const Note& note : diagnostic.notes) this->note(note);
     call_stack(diagnostic.call_stack);
     return std::move(out_);

@@ -23,6 +23,7 @@ constexpr Word names[] = {
     {"parallelogram", "write `quad`"},
     {"floor", "write `plane { y: 0 }`"},
     {"ground", "write `plane { y: 0 }`"},
+    {"object", "write the thing's own name: `ball { at: … }`"},
     {"polyhedron", "write a `group` of `polygon`s"},
     {"merge", "write `union { … }`, or `a | b`"},
     {"subtract", "write `difference { … }`, or `a - b`"},

@@ -19,7 +19,6 @@ Evaluated evaluate(Program& program, Report& report, const Limits& limits, const
 
 Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop, const char* stack_limit)
     : program_(program), report_(report), limits_(limits), stop_(stop), builder_(program.sources, scene_), stack_limit_(stack_limit) {
-  for (const Noun& noun : program.nouns.all()) bare_things_.push_back(new_thing(noun, {}));
   scene_properties_.noun = &program.nouns.scene();
 }
 
@@ -75,7 +74,7 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
   }
   const Ref<Frame> frame = make_frame(heap_, library_, info->frame_size);
   suspects_.push_back(frame);
-  Gathered properties{&program_.nouns.scene(), nullptr, {}, {}};
+  Gathered properties{&program_.nouns.scene(), nullptr, {}, {}, false};
   Target target;
   target.kind = Target::Kind::discarded;
   target.properties = &properties;
@@ -183,7 +182,7 @@ void Evaluator::try_unused_functions() {
       expression(function.body, context);
       continue;
     }
-    Gathered properties{&program_.nouns.group(), nullptr, {}, {}};
+    Gathered properties{&program_.nouns.group(), nullptr, {}, {}, false};
     scene::Group nowhere;
     std::vector<scene::Light> no_lights;
     Target target;

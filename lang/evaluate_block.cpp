@@ -19,6 +19,8 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
   spend(1, {ast.file, ast[node].begin, ast[node].end});
   switch (ast.kind(node)) {
   case Kind::error:
+    if (target.properties) target.properties->is_broken = true;
+    return;
   case Kind::def:
   case Kind::fn: return;
   case Kind::bind:
@@ -101,6 +103,7 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
   }
   if (!id) id = gathered->noun->find(property.symbol);
   if (id) return set_property(*gathered, *id, std::move(value), ast.span(property.value), name_place);
+  gathered->is_broken = true;
   if (Diagnostic* d = error("E0204", name_place)) {
     std::vector<std::string_view> names;
     if (gathered->def) {

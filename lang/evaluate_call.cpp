@@ -63,7 +63,7 @@ Value Evaluator::call_closure(const FunctionInfo& function, Frame* parent, NodeI
     if (!i) {
       complain(ast.named_span(argument, program_.symbols), fmt::format("the function has no parameter `{}`", name(ast.named(argument).symbol)));
     } else if (*i >= function.parameters.size()) {
-      complain(ast.span(argument), fmt::format("the function takes {} arguments", function.parameters.size()), "one too many");
+      complain(ast.span(argument), fmt::format("the function takes {}", count_of_arguments(function.parameters.size())), "one too many");
     } else {
       (*frame.get())[function.parameters[*i].slot] = std::move(value);
     }
@@ -104,7 +104,7 @@ Value Evaluator::call_function(const Value& callee, std::vector<Value> arguments
   if (!callee.is(ValueKind::closure)) return fail("E0306", place, "only a function can be called", "this is " + describe(callee));
   const FunctionInfo& function = *callee.closure().function;
   if (arguments.size() > function.parameters.size()) {
-    return fail("E0208", place, fmt::format("this function is called with {} arguments, and takes {}", arguments.size(), function.parameters.size()));
+    return fail("E0208", place, fmt::format("this function is called with {}, and takes {}", count_of_arguments(arguments.size()), function.parameters.size()));
   }
   const FrameScope frame(*this, make_frame(heap_, callee.closure().parent, function.frame_size));
   for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -21,7 +21,7 @@ Value Evaluator::expression(NodeId node, const Context& context) {
   case Kind::list: return list_value(node, context);
   case Kind::record: return record_value(node, context);
   case Kind::comprehension: return comprehension_value(node, context);
-  case Kind::lambda: return function_value(program_.functions[function_index(ast[node])], context.frame);
+  case Kind::lambda: return function_value(program_.functions[function_index(ast[node])], context.frame, ast.span(node));
   case Kind::call: return call_value(node, context);
   case Kind::index: return index_value(node, context);
   case Kind::member: return member_value(node, context);
@@ -55,8 +55,8 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
                 "a function may be called only after the lines that give the names in it their values");
   }
   case Resolution::function:
-    return function_value(program_.functions[index], outer(context.frame, frames_out(ast[node])));
-  case Resolution::noun: return bare_things_[index];
+    return function_value(program_.functions[index], outer(context.frame, frames_out(ast[node])), ast.span(node));
+  case Resolution::noun: return new_thing(program_.nouns[index], ast.span(node));
   case Resolution::builtin: return all_builtins()[index];
   case Resolution::constant: return constants()[index].value();
   case Resolution::color: return from_srgb8(index);
@@ -66,9 +66,9 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
   return Value::poison();
 }
 
-Value Evaluator::function_value(const FunctionInfo& function, Frame* frame) {
+Value Evaluator::function_value(const FunctionInfo& function, Frame* frame, Span place) {
   if (function.kind != Kind::def) return Ref<Closure>(heap_.make<Closure>(0, function, Ref<Frame>(frame)));
-  Ref<Thing> thing = new_thing(program_.nouns.group(), function.unit->ast.span(function.node));
+  Ref<Thing> thing = new_thing(program_.nouns.group(), place);
   thing->def = &function;
   thing->def_frame = Ref<Frame>(frame);
   return thing;
@@ -193,7 +193,7 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
   case ValueKind::module: {
     const Module& module = base.module();
     if (const ModuleInfo::Export* found = module.info->find(symbol)) {
-      if (found->function) return function_value(*found->function, module.frame.get());
+      if (found->function) return function_value(*found->function, module.frame.get(), ast.span(node));
       return (*module.frame)[found->slot];
     }
     return Value::poison(); // check has said so
@@ -248,6 +248,7 @@ Value Evaluator::range_value(NodeId node, const Context& context) {
     if (nodes[i] == no_node) continue;
     const Value value = expression(nodes[i], context);
     if (value.is_number()) *numbers[i] = value.number();
+    else if (ast.kind(nodes[i]) == Kind::range) return Value::poison(); // the parser has said so
     else if (!value.is_poison()) fail("E0304", ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value));
     is_poison |= !value.is_number();
   }

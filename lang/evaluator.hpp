@@ -31,6 +31,7 @@ struct Gathered {
     Span name;
   };
   std::vector<Written> written;      ///< in this block
+  bool is_broken = false;            ///< part of the block is in error, so that what it describes is not known
 };
 
 /// What the items of a block are put into.
@@ -106,7 +107,7 @@ private:
   // Expressions (evaluate_expression.cpp)
   Value expression(NodeId node, const Context& context);
   Value name_value(NodeId node, const Context& context);
-  Value function_value(const FunctionInfo& function, Frame* frame);
+  Value function_value(const FunctionInfo& function, Frame* frame, Span place);
   Value list_value(NodeId node, const Context& context);
   Value record_value(NodeId node, const Context& context);
   Value comprehension_value(NodeId node, const Context& context);
@@ -224,7 +225,6 @@ private:
   Ref<Frame> library_, main_;
   std::vector<std::pair<const ModuleInfo*, Value>> modules_;
   std::vector<Ref<Frame>> suspects_;   // frames that may be kept alive by what they hold
-  std::vector<Ref<Thing>> bare_things_; // of the built-in nouns
   std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
   Gathered scene_properties_;
   std::optional<Span> camera_place_;

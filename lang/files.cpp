@@ -32,13 +32,16 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 std::string read_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw std::system_error(EISDIR, std::generic_category(), path.string());
+  constexpr std::uintmax_t most = 0xffff'ffff; // places in a text are 32-bit numbers
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::system_error(errno, std::generic_category(), path.string());
   std::string text;
   const auto size = fs::file_size(path, error);
+  if (!error && size > most) throw std::system_error(EFBIG, std::generic_category(), path.string());
   if (!error) text.reserve(size);
   char buffer[1 << 16];
   while (in.read(buffer, sizeof buffer) || in.gcount() > 0) text.append(buffer, static_cast<std::size_t>(in.gcount()));
+  if (text.size() > most) throw std::system_error(EFBIG, std::generic_category(), path.string());
   if (in.bad()) throw std::system_error(EIO, std::generic_category(), path.string());
   return text;
 }
@@ -89,11 +92,17 @@ fs::path Files::find(std::string_view path, Span place) {
   if (is_allowed(found)) return found;
   if (Diagnostic* d = report_.error("E0603", place)) {
     d->message = "this file is outside of the scene's folder";
-    d->label = fmt::format("this is {}", found.string());
-    d->notes.push_back({std::nullopt, fmt::format("files are read from {} and the folders in it", folder_.string())});
+    const bool is_absolute = fs::path(path).is_absolute();
+    d->label = fmt::format("this leads to {}", is_absolute ? found.string() : found.lexically_relative(folder_).string());
+    d->notes.push_back({std::nullopt, "files are read from the folder of the scene, and from the folders in it"});
     d->notes.push_back({std::nullopt, "`--include-root FOLDER` on the command line allows another folder"});
   }
   return {};
+}
+
+// Relative to the scene's folder, as the scene itself names it.
+std::string Files::display_name(const fs::path& path) const {
+  return is_within(path, folder_) ? path.lexically_relative(folder_).string() : path.string();
 }
 
 Unit* Files::read(const fs::path& path, Span place) {
@@ -103,13 +112,11 @@ Unit* Files::read(const fs::path& path, Span place) {
   } catch (const std::system_error& failure) {
     if (Diagnostic* d = report_.error("E0601", place)) {
       d->message = "this file cannot be read";
-      d->label = fmt::format("{}: {}", path.string(), failure.code().message());
+      d->label = fmt::format("{}: {}", display_name(path), failure.code().message());
     }
     return nullptr;
   }
-  std::string name = path.string();
-  if (is_within(path, folder_)) name = path.lexically_relative(folder_).string();
-  return &parse_text(std::move(name), path.string(), std::move(text), place);
+  return &parse_text(display_name(path), path.string(), std::move(text), place);
 }
 
 } // namespace rt::lang

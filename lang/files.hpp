@@ -31,6 +31,7 @@ public:
   std::uint64_t bytes() const { return bytes_; }
 
 private:
+  std::string display_name(const std::filesystem::path& canonical) const;
   bool is_allowed(const std::filesystem::path& canonical) const;
 
   Program& program_;

@@ -139,8 +139,8 @@ Value Evaluator::color_arithmetic(Op op, const Color& a, const Color& b, Span pl
 Value Evaluator::wrong_operands(Op op, const Value& left, const Value& right, Span place) {
   std::string advice;
   if (op == Op::add && (left.is(ValueKind::string) || right.is(ValueKind::string))) advice = "`str(x)` turns a value into text";
-  if (op == Op::add && left.is(ValueKind::list) && right.is(ValueKind::list)) advice = "`concat(a, b)` joins two lists";
-  if ((op == Op::add || op == Op::subtract) && left.is(ValueKind::vector) != right.is(ValueKind::vector))
+  if (op == Op::add && is_sequence(left) && is_sequence(right)) advice = "`concat(a, b)` joins two lists";
+  if ((op == Op::add || op == Op::subtract) && (left.is_number() || right.is_number()) && (left.is(ValueKind::vector) || right.is(ValueKind::vector)))
     advice = "a vector and a number cannot be added: write `[x, y, z]` for both";
   if (op == Op::add && left.is(ValueKind::thing)) advice = "`a | b` is the union of two solids";
   if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing))) advice = "solids are combined with solids";

@@ -64,13 +64,21 @@ Mistake must_not_be_zero(const Property& property, bool is_scale) {
   return {"E0406", fmt::format("`{}` must not be 0: that flattens the thing", property.name), "this is 0"};
 }
 
-std::optional<Mistake> check_vector(const Property& property, const Value& value) {
-  if (!value.is_vector3()) {
-    Mistake mistake = wrong_type(property, value);
-    if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
-    if (value.is(ValueKind::list)) mistake.label = fmt::format("this has {} elements", value.items().size());
-    return mistake;
+/// Why a value is no vector of three numbers.
+Mistake no_vector(const Property& property, const Value& value) {
+  Mistake mistake = wrong_type(property, value);
+  if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
+  if (!value.is(ValueKind::list)) return mistake;
+  const std::vector<Value>& items = value.items();
+  if (items.size() != 3) mistake.label = fmt::format("this has {} elements", items.size());
+  for (std::size_t i = 0; i < items.size() && items.size() == 3; ++i) {
+    if (!items[i].is_number()) mistake.label = fmt::format("element {} is {}", i, describe(items[i]));
   }
+  return mistake;
+}
+
+std::optional<Mistake> check_vector(const Property& property, const Value& value) {
+  if (!value.is_vector3()) return no_vector(property, value);
   if (auto mistake = check_numbers(property, value.vector(), 3)) return mistake;
   if (property.constraint.is_nonzero && length(value.vector()) == 0) return must_not_be_zero(property, false);
   return std::nullopt;
@@ -80,7 +88,7 @@ std::optional<Mistake> check_size(const Property& property, const Value& value) 
   Vec3 v{1, 1, 1};
   if (value.is_number()) v = {value.number(), 1, 1};
   else if (value.is_vector3()) v = value.vector();
-  else return wrong_type(property, value);
+  else return no_vector(property, value);
   if (auto mistake = check_numbers(property, v, value.is_number() ? 1 : 3)) return mistake;
   if (property.constraint.is_nonzero && v.x * v.y * v.z == 0) return must_not_be_zero(property, true);
   return std::nullopt;

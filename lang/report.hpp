@@ -19,7 +19,7 @@ public:
   /// there are too many.
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
-  /// Takes over diagnostics that are made elsewhere (by the parser).
+  /// Takes over the parser's diagnostics. What is said later about the same places follows from them and is left out.
   void take(std::vector<Diagnostic> diagnostics);
 
   bool has_errors() const { return errors_ > 0; }
@@ -29,6 +29,7 @@ public:
 
 private:
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Span> malformed_; // where the parser found errors
   std::set<std::tuple<FileId, std::uint32_t, std::uint32_t, std::string>> known_;
   std::size_t errors_ = 0;
 };

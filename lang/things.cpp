@@ -48,8 +48,8 @@ Value Evaluator::override_value(NodeId node, const Context& context) {
   if (context.ast().kind(parts.block) == Kind::block) items(parts.block, context, nowhere);
   --unsure_;
   if (base.is_poison()) return base;
-  const bool is_function = base.is(ValueKind::closure) || base.is(ValueKind::builtin);
-  return fail(is_function ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes", "this is " + describe(base));
+  const bool is_named = base.is(ValueKind::closure) || base.is(ValueKind::builtin) || base.is(ValueKind::module);
+  return fail(is_named ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes", "this is " + describe(base));
 }
 
 std::size_t Evaluator::simple_properties(NodeId node, const Context& context, const Noun& noun, std::span<PropertyValue> room) {
@@ -85,7 +85,7 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   const Ast& ast = context.ast();
   const Override parts = ast.override_(node);
   const Thing& old = base.thing();
-  Gathered gathered{old.noun, old.def, old.properties, {}};
+  Gathered gathered{old.noun, old.def, old.properties, {}, false};
   Target target;
   target.properties = &gathered;
   target.owner = ast.span(parts.base);
@@ -100,7 +100,8 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   }
   const std::uint32_t had = target.things;
   if (ast.kind(parts.block) == Kind::block) items(parts.block, context, target);
-  else return Value::poison();
+  else gathered.is_broken = true;
+  if (gathered.is_broken) return Value::poison();
   Ref<Thing> thing = new_thing(*old.noun, ast.span(node));
   thing->def = old.def;
   thing->def_frame = old.def_frame;
@@ -236,7 +237,7 @@ void Evaluator::run_def(const Thing& thing, Content& content) {
   }
   if (is_fine && fill_defaults(def, *frame.get(), thing.span)) {
     def.was_run = true;
-    Gathered gathered{thing.noun, nullptr, {}, {}};
+    Gathered gathered{thing.noun, nullptr, {}, {}, false};
     Target target;
     target.kind = Target::Kind::content;
     target.objects = &content.members;

@@ -213,6 +213,8 @@ std::string describe(const Value& value) {
   return fmt::format("{} {}", has_vowel ? "an" : "a", noun);
 }
 
+std::string count_of_arguments(std::size_t count) { return fmt::format("{} argument{}", count, count == 1 ? "" : "s"); }
+
 std::string format_number(double number) {
   if (std::isnan(number)) return "not a number";
   if (std::isinf(number)) return number > 0 ? "infinity" : "-infinity";

@@ -210,6 +210,8 @@ std::uint64_t hash(const Value& value);
 
 /// "a number", "a list", "a colour", "a sphere": for messages.
 std::string describe(const Value& value);
+/// "1 argument", "2 arguments".
+std::string count_of_arguments(std::size_t count);
 /// The shortest text that reads back as the number.
 std::string format_number(double number);
 /// As `str` gives it and a session prints it; `names` tells the names of records' fields.

@@ -5,6 +5,7 @@
 /// The subcommands' declarations, each in a file of its own (`render_command.cpp`, …).
 namespace rt::tools {
 
+Action declare_probe(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_ast(CLI::App& app);
 Action declare_scene(CLI::App& app);

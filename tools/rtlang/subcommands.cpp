@@ -12,6 +12,7 @@ std::span<const Subcommand> subcommands() {
       {"export", "SCENE [-o FILE] [OPTIONS]", "writes the scene for POV-Ray 3.7", declare_export},
       {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures how far two pictures are apart", declare_diff},
+      {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material", declare_probe},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},
       {"explain", "[CODE]", "explains an error's code, or lists all codes", declare_explain},
   };

@@ -88,11 +88,13 @@ void Checker::check_module(ModuleInfo& module) {
 
 // Names of defs and fns are visible throughout their block, so they are declared before anything else is read.
 void Checker::hoist(Unit& unit, NodeId block) {
-  for (const NodeId item : unit.ast.children(block)) {
-    const Kind kind = unit.ast.kind(item);
-    if (kind == Kind::def || kind == Kind::fn) hoist_function(unit, item);
-    else if (kind == Kind::include) check_include(unit, item);
-  }
+  for (const NodeId item : unit.ast.children(block)) hoist_item(unit, item);
+}
+
+void Checker::hoist_item(Unit& unit, NodeId item) {
+  const Kind kind = unit.ast.kind(item);
+  if (kind == Kind::def || kind == Kind::fn) hoist_function(unit, item);
+  else if (kind == Kind::include) check_include(unit, item);
 }
 
 void Checker::hoist_function(Unit& unit, NodeId item) {

@@ -77,6 +77,7 @@ Checker::Binding* Checker::declare(Unit& unit, NodeId node, Binding::What what) 
 
 Known Checker::resolve(Unit& unit, NodeId node) {
   Binding* binding = find(unit.ast.symbol(node));
+  if (top_item_) note_use(unit.ast.symbol(node), binding);
   if (!binding) return resolve_global(unit, node);
   ++binding->reads;
   const std::size_t depth = level() - binding->level;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,27 @@ struct Owner {
   bool is_def_body = false;          ///< the inside of a `def`, where properties are defaults
 };
 
+/// What a name at the top of a file or session stands for.
+enum class Meaning : std::uint8_t { value, function, module, error };
+
+/// A name that a statement of a session has declared.
+struct TopName {
+  Meaning meaning = Meaning::value;
+  Symbol name;
+  Span span;
+  std::uint32_t slot = 0; ///< or index of the function
+  Known known;
+};
+
+/// A statement of a session as check sees it: to be checked, or checked before.
+struct TopItem {
+  Unit* unit = nullptr; ///< null: it was checked before, and only its names matter
+  std::vector<NodeId> nodes;   ///< its items: one, or things that were written one after the other
+  std::vector<TopName> names;  ///< that it declares: given, or found
+  std::vector<Symbol> uses;    ///< found: names of other statements, also of its own functions
+  std::vector<Symbol> globals; ///< found: names that no statement declares
+};
+
 /// The pass itself, for one file and those it includes: a file that `use` names has a checker of its own.
 class Checker {
 public:
@@ -40,6 +62,9 @@ public:
   void check_define(Define& define);
   void check_main();
   void check_module(ModuleInfo& module);
+  /// The statements of a session, in order. `slots` says how many of the session's frame are taken already, and then how
+  /// many are.
+  void check_session(std::span<TopItem> items, std::uint32_t& slots);
 
 private:
   /// A call's worth of slots.
@@ -48,7 +73,8 @@ private:
     std::uint32_t slots = 0;
   };
   struct Binding {
-    enum class What : std::uint8_t { value, function, module, error } what = What::value;
+    using What = Meaning;
+    What what = What::value;
     Symbol name;
     Span span;
     std::uint32_t scope = 0;
@@ -88,6 +114,7 @@ private:
   // Items (check_items.cpp)
   void check_items(Unit& unit, NodeId block);
   void hoist(Unit& unit, NodeId block);
+  void hoist_item(Unit& unit, NodeId item);
   void hoist_function(Unit& unit, NodeId item);
   void check_item(Unit& unit, NodeId item);
   void check_block(Unit& unit, NodeId block, const Owner& owner);
@@ -102,6 +129,10 @@ private:
   void check_if_item(Unit& unit, NodeId item);
   void check_property(Unit& unit, NodeId item);
   void add_parameters(Unit& unit, FunctionInfo& info);
+  // Sessions (check_session.cpp)
+  void declare_known(const TopItem& item, bool functions);
+  void take_names(TopItem& item, std::size_t first);
+  void note_use(Symbol symbol, const Binding* binding);
   bool is_at_top_level() const { return scopes_.size() == top_scope_ + 1; }
 
   // Expressions (check_expressions.cpp)
@@ -144,6 +175,7 @@ private:
   bool is_in_lambda_ = false;            // which is the right side of that `=`
   bool is_main_ = false;
   bool is_define_ = false;
+  TopItem* top_item_ = nullptr;          // in a session: the statement being read
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
 };
 

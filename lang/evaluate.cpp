@@ -130,7 +130,7 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
 }
 
 void Evaluator::finish_scene() {
-  check_media();
+  check_media(scene_.objects);
   for (const PropertyValue& p : scene_properties_.values) {
     const Property& property = scene_properties_.noun->properties[p.id];
     property.field->set(&scene_, builder_.field_value(property, p.value));
@@ -163,37 +163,38 @@ void Evaluator::finish_scene() {
 // What no line calls is run once with values that are not known, so that mistakes in it are found now and not later.
 void Evaluator::try_unused_functions() {
   ++unsure_;
-  for (std::size_t i = 0; i < program_.functions.size(); ++i) {
-    const FunctionInfo& function = program_.functions[i];
-    if (function.was_run || function.kind == Kind::lambda || !function.is_at_top_level) continue;
-    Ref<Frame> parent;
-    if (!function.module) parent = main_;
-    for (const auto& [info, value] : modules_) {
-      if (info == function.module) parent = value.module().frame;
-    }
-    if (!parent) continue; // the line that would read its file was not reached
-    const FrameScope frame(*this, make_frame(heap_, parent, function.frame_size));
-    for (const FunctionInfo::Parameter& parameter : function.parameters) {
-      if (parameter.default_value != no_node) expression(parameter.default_value, {function.unit, frame.get()});
-      (*frame.get())[parameter.slot] = Value::poison();
-    }
-    const Context context{function.unit, frame.get()};
-    if (function.kind == Kind::fn) {
-      expression(function.body, context);
-      continue;
-    }
-    Gathered properties{&program_.nouns.group(), nullptr, {}, {}, false};
-    scene::Group nowhere;
-    std::vector<scene::Light> no_lights;
-    Target target;
-    target.kind = Target::Kind::content;
-    target.objects = &nowhere.members;
-    target.lights = &no_lights;
-    target.noun = &program_.nouns.group();
-    target.properties = &properties;
-    items(function.body, context, target);
-  }
+  for (std::size_t i = 0; i < program_.functions.size(); ++i) try_function(program_.functions[i]);
   --unsure_;
+}
+
+void Evaluator::try_function(const FunctionInfo& function) {
+  if (function.was_run || function.kind == Kind::lambda || !function.is_at_top_level) return;
+  Ref<Frame> parent;
+  if (!function.module) parent = main_;
+  for (const auto& [info, value] : modules_) {
+    if (info == function.module) parent = value.module().frame;
+  }
+  if (!parent) return; // the line that would read its file was not reached
+  const FrameScope frame(*this, make_frame(heap_, parent, function.frame_size));
+  for (const FunctionInfo::Parameter& parameter : function.parameters) {
+    if (parameter.default_value != no_node) expression(parameter.default_value, {function.unit, frame.get()});
+    (*frame.get())[parameter.slot] = Value::poison();
+  }
+  const Context context{function.unit, frame.get()};
+  if (function.kind == Kind::fn) {
+    expression(function.body, context);
+    return;
+  }
+  Gathered properties{&program_.nouns.group(), nullptr, {}, {}, false};
+  scene::Group nowhere;
+  std::vector<scene::Light> no_lights;
+  Target target;
+  target.kind = Target::Kind::content;
+  target.objects = &nowhere.members;
+  target.lights = &no_lights;
+  target.noun = &program_.nouns.group();
+  target.properties = &properties;
+  items(function.body, context, target);
 }
 
 } // namespace rt::lang

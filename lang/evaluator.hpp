@@ -54,7 +54,17 @@ struct Target {
   Span owner;                     ///< the thing whose block it is, for messages
 };
 
-/// The pass that runs a program. One per run.
+/// What one statement of a session made.
+struct Made {
+  std::vector<scene::Object> objects;
+  std::vector<scene::Light> lights;
+  std::optional<scene::Camera> camera;
+  Span camera_place;
+  std::vector<PropertyValue> properties; ///< of the scene
+  std::optional<Value> printed;          ///< of an expression that is no thing
+};
+
+/// The pass that runs a program. One per run, or per session.
 class Evaluator {
 public:
   /// `stack_limit` is the lowest address that the stack may reach.
@@ -63,6 +73,22 @@ public:
   Evaluator& operator=(const Evaluator&) = delete;
   ~Evaluator();
   Evaluated run();
+
+  // Sessions (evaluate_session.cpp): statements are run one by one, and what they made stays in the scene's tables.
+  void begin_session();
+  /// Functions that come from now on are those of the next input.
+  void begin_change() { tried_functions_ = program_.functions.size(); }
+  /// Before the statements of an input are run: the limits count from here. `slots` is how many the session's frame must have.
+  void begin_input(std::uint32_t slots, const char* stack_limit);
+  /// `may_print`: an expression that is no thing is no mistake.
+  Made run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
+  /// Finds mistakes in the input's functions that nothing has called.
+  void try_session_functions();
+  const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
+  scene::Scene& scene() { return scene_; }
+  scene::FieldValue scene_value(const PropertyValue& property) {
+    return builder_.field_value(scene_properties_.noun->properties[property.id], property.value);
+  }
 
 private:
   friend class ArgumentList;
@@ -80,6 +106,7 @@ private:
   void run_program();
   void run_library();
   void try_unused_functions();
+  void try_function(const FunctionInfo& function);
   Value module_value(const Context& context, NodeId item);
   Value param_value(const Context& context, NodeId item);
   Value within_range(const Value& value, Span place, const ParamItem& param, const Context& context);
@@ -204,7 +231,7 @@ private:
   Value combine(Op op, Value left, Value right, NodeId node, const Context& context);
   void begin_with_operands(const Content& old, bool has_members, Content& content, Target& target);
   void add_operand(const Value& value, Span place, Target& target);
-  void check_media();
+  void check_media(const std::vector<scene::Object>& objects);
 
   Program& program_;
   Report& report_;
@@ -229,6 +256,7 @@ private:
   Gathered scene_properties_;
   std::optional<Span> camera_place_;
   std::vector<Span> combination_places_; // by index of the combination
+  std::size_t tried_functions_ = 0; // in a session: so many of the program's
   bool has_leftovers_ = false; // shapes may have been made that stand nowhere
 };
 

@@ -51,6 +51,8 @@ Files::Files(Program& program, Report& report, const fs::path& folder, const std
   for (const std::string& root : roots) roots_.push_back(resolved(root));
 }
 
+void Files::set_folder(const fs::path& folder) { folder_ = resolved(folder); }
+
 Unit& Files::parse_text(std::string name, std::string path, std::string text, Span included_from) {
   const auto start = std::chrono::steady_clock::now();
   bytes_ += text.size();

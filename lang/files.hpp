@@ -17,6 +17,9 @@ public:
   /// `folder` is where the scene stands; it need not exist when nothing is read from it.
   Files(Program& program, Report& report, const std::filesystem::path& folder, const std::vector<std::string>& roots);
 
+  /// From now on the scene stands there.
+  void set_folder(const std::filesystem::path& folder);
+
   /// Adds a text to the program and parses it.
   Unit& parse_text(std::string name, std::string path, std::string text, Span included_from = {});
   /// The same for a text that is an expression.

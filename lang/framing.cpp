@@ -16,12 +16,15 @@ std::string text(const Vec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]",
 } // namespace
 
 scene::Camera framing_camera(const scene::Scene& scene) {
+  return framing_camera(scene::finite_bounds(scene), scene.size);
+}
+
+scene::Camera framing_camera(const Box3& box, scene::Resolution size) {
   scene::Camera camera;
-  const Box3 box = scene::finite_bounds(scene);
   if (box.is_empty()) return camera;
   const double radius = length(box.extent()) / 2;
   const double across = std::tan(camera.fov / 2 * (std::numbers::pi / 180));
-  const double aspect = static_cast<double>(scene.size[0]) / scene.size[1];
+  const double aspect = static_cast<double>(size[0]) / size[1];
   const double half_angle = std::atan(std::min(across, across / aspect));
   const Vec3 eye = box.center() + normalize(towards_the_eye) * (margin * radius / std::sin(half_angle));
   if (!is_finite(eye) || eye == box.center()) return camera;

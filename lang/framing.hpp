@@ -11,6 +11,8 @@ namespace rt::lang {
 /// c + 1.1 R / sin(a/2) · (0.5, 0.45, 1)/|(0.5, 0.45, 1)| and looks at c, where a is the smaller of the picture's two angles
 /// of view: the bounding sphere fits into the picture. Where there is nothing finite, it is the camera's defaults.
 scene::Camera framing_camera(const scene::Scene& scene);
+/// The same for a bounding box that is known already.
+scene::Camera framing_camera(const Box3& box, scene::Resolution size);
 
 /// The light of a scene that has none, and whose `ambient` is not written.
 scene::Light key_sun();

@@ -62,10 +62,10 @@ private:
 
 } // namespace
 
-void Evaluator::check_media() {
+void Evaluator::check_media(const std::vector<scene::Object>& objects) {
   if (scene_.shapes.all<scene::Combination>().empty()) return;
   MediaCheck check(scene_);
-  check.visit(scene_.objects, scene::no_material);
+  check.visit(objects, scene::no_material);
   for (const MediaCheck::Conflict& conflict : check.conflicts) {
     fail("E0408", combination_places_[conflict.combination], "the parts of this solid refract differently, and one solid is one medium",
          fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first), format_number(conflict.second)),

@@ -40,6 +40,12 @@ struct ListedObject {
   std::uint64_t count = 1; ///< how many such things the same statement placed in a row
 };
 
+/// Objects of the scene that follow one another, with a number that stands for what they are.
+struct SceneStretch {
+  std::uint32_t begin = 0, end = 0;
+  std::uint64_t stamp = 0;
+};
+
 /// How much work was done since the session began: what an unchanged statement costs is 0.
 struct SessionCounters {
   std::uint64_t statements_parsed = 0;
@@ -90,8 +96,12 @@ public:
   std::string diff(std::size_t from, std::size_t to) const;
   bool is_empty() const;
 
-  /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change.
+  /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change. Its tables
+  /// (shapes, materials, …) also hold what stands nowhere any more: they only grow.
   const scene::Scene& scene();
+  /// Its objects cut into stretches, none of which is very short; those that hold what they held before have the same
+  /// stamp. What is in none of them are few objects.
+  std::vector<SceneStretch> stretches();
   /// The notes on what was assumed for it.
   const std::vector<Diagnostic>& assumptions();
   std::vector<ListedObject> objects();

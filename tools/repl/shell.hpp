@@ -2,6 +2,7 @@
 
 #include "lang/session.hpp"
 #include "renderer/render.hpp"
+#include "renderer/traceable.hpp"
 #include "tools/repl/journal.hpp"
 #include "tools/repl/picture.hpp"
 
@@ -48,6 +49,8 @@ public:
   Rendered render(const PictureSettings& settings, const std::atomic<bool>* stop,
                   std::function<void(const Progress&)> on_progress = {});
 
+  const CompileCache::Counts& compile_counts() const { return cache_.counts(); }
+
   // For the commands.
   lang::Session& session() { return session_; }
   const ShellOptions& options() const { return options_; }
@@ -86,6 +89,9 @@ private:
   ShellOptions options_;
   ShellOutput output_;
   lang::Session session_;
+  CompileCache cache_{0};
+  std::optional<Traceable> traceable_; // of the scene at a version
+  std::size_t traced_version_ = 0;
   PicturePrinter printer_;
   Journal journal_;
   std::optional<AbandonedSession> abandoned_;

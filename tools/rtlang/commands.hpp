@@ -14,5 +14,6 @@ Action declare_explain(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_check(CLI::App& app);
 Action declare_diff(CLI::App& app);
+Action declare_repl(CLI::App& app);
 
 } // namespace rt::tools

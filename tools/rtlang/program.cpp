@@ -90,10 +90,7 @@ int run_subcommand(const Subcommand& subcommand, std::vector<std::string> argume
 }
 
 int dispatch(std::vector<std::string> arguments) {
-  if (arguments.empty()) {
-    print_error(help());
-    return exit_usage;
-  }
+  if (arguments.empty()) return run_subcommand(*find_subcommand("repl"), {}, "repl ");
   const std::string first = arguments.front();
   if (arguments.size() == 1 && (first == "--help" || first == "-h" || first == "help")) {
     print(help());

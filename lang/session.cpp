@@ -1,0 +1,452 @@
+#include "lang/session.hpp"
+
+#include "lang/builtins/builtins.hpp"
+#include "lang/session_change.hpp"
+#include "lang/session_scene.hpp"
+#include "lang/session_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rt::lang {
+
+struct Session::State {
+  State(std::string folder, LoadOptions options)
+      : core(std::move(folder), std::move(options)), scene(core.evaluator, core.program) {
+    versions.push_back({"", 0});
+    documents.push_back({std::make_shared<const Document>(), 0});
+  }
+
+  struct Kept {
+    std::shared_ptr<const Document> document;
+    std::uint64_t last_id = 0; ///< the statement that a line beginning with `.` edits
+  };
+
+  const Document& document() const { return *documents[current].document; }
+
+  /// The outcome of a change: a new version unless there is an error, or nothing has changed.
+  SessionResult finish(SessionChange& change, std::string description, std::uint64_t last_id) {
+    SessionResult result;
+    std::optional<Document> made = change.finish();
+    result.diagnostics = core.report.finish();
+    if (!made) {
+      scene.show(document()); // evaluation may have left its own settings in it
+      return result;
+    }
+    result.is_accepted = true;
+    result.changes = std::move(change.changes);
+    result.values = std::move(change.values);
+    if (*made != document()) keep(std::make_shared<const Document>(std::move(*made)), std::move(description), last_id);
+    scene.show(document());
+    return result;
+  }
+
+  void keep(std::shared_ptr<const Document> made, std::string description, std::uint64_t last_id) {
+    versions.push_back({std::move(description), current});
+    documents.push_back({std::move(made), last_id});
+    current = versions.size() - 1;
+    undone.clear();
+  }
+
+  void go_to(std::size_t version) {
+    current = version;
+    scene.show(document());
+  }
+
+  SessionCore core;
+  SessionScene scene;
+  std::vector<SessionVersion> versions;
+  std::vector<Kept> documents;      // by version
+  std::vector<std::size_t> undone; // versions that redo leads to, the next one last
+  std::size_t current = 0;
+};
+
+namespace {
+
+SessionResult failed(SessionCore& core) {
+  SessionResult result;
+  result.diagnostics = core.report.finish();
+  return result;
+}
+
+SessionResult failed(std::string code, std::string message, std::string advice = {}) {
+  SessionResult result;
+  Diagnostic& d = result.diagnostics.emplace_back();
+  d.code = std::move(code);
+  d.message = std::move(message);
+  if (!advice.empty()) d.notes.push_back({std::nullopt, std::move(advice)});
+  return result;
+}
+
+std::string join_lines(const Document& document) {
+  std::string text;
+  for (const StatementRef& statement : document) text += statement->text + "\n";
+  return text;
+}
+
+// The statement's things but the last, and the last.
+std::pair<std::string, std::string> split_last(SessionChange& change, const Statement& statement) {
+  const std::vector<SessionChange::Draft> parts = change.parse(statement.text, statement.origin, true);
+  if (parts.empty()) return {};
+  std::string head;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) head += (i == 0 ? "" : "\n") + parts[i]->text;
+  return {head, parts.back()->text};
+}
+
+} // namespace
+
+Session::Session(std::string folder, LoadOptions options)
+    : state_(std::make_unique<State>(std::move(folder), std::move(options))) {
+  state_->scene.show(state_->document());
+}
+
+Session::~Session() = default;
+
+namespace {
+
+/// One input on its way into the document.
+class Submission {
+public:
+  Submission(SessionCore& core, SessionChange& change, std::uint64_t last_id) : core_(core), change_(change), last_id_(last_id) {}
+
+  void run(std::string_view text) {
+    const TextOrigin origin{fmt::format("input {}", ++core_.inputs), "", 1};
+    const std::vector<SessionChange::Draft> drafts = change_.parse(std::string(text), origin, true);
+    for (const SessionChange::Draft& draft : drafts) {
+      if (core_.report.has_errors()) return;
+      take(draft);
+    }
+  }
+
+  std::uint64_t last_id() const { return last_id_; }
+
+private:
+  void take(const SessionChange::Draft& draft) {
+    if (draft->is_comment()) return change_.append(draft);
+    const Ast& ast = draft->unit->ast;
+    const NodeId item = draft->nodes.front();
+    const bool is_thing = draft->kind == Kind::bind || (!draft->declares() && draft->kind != Kind::property && draft->kind != Kind::include);
+    if (is_thing && draft->kind != Kind::bind && draft->kind != Kind::for_ && draft->kind != Kind::if_ && edits_previous(ast, item))
+      return edit(draft, item);
+    if (draft->kind == Kind::bind) {
+      if (const SessionChange::Draft rewritten = without_itself(draft)) {
+        change_.place(rewritten);
+        last_id_ = rewritten->id;
+        return;
+      }
+      if (core_.report.has_errors()) return;
+    }
+    change_.place(draft);
+    if (is_thing) last_id_ = draft->id;
+  }
+
+  // `.move(x: 1)`: the text of the last thing goes on with it.
+  void edit(const SessionChange::Draft& draft, NodeId item) {
+    const auto at = change_.find_id(last_id_);
+    if (!at) {
+      if (Diagnostic* d = core_.report.error("E0216", draft->unit->ast.span(item))) {
+        d->message = "there is no thing before this line that it could change";
+        d->label = "a line that begins with `.` goes on with the one before it";
+      }
+      return;
+    }
+    const Statement& old = change_[*at];
+    std::string text = old.text;
+    const bool is_last_of_many = old.nodes.size() > 1;
+    if (is_last_of_many) {
+      const auto [head, last] = split_last(change_, old);
+      text = last;
+      if (const SessionChange::Draft first = change_.parse_again(old, head)) change_.replace(*at, first);
+    }
+    const std::string_view added = draft->text;
+    const TextOrigin origin{draft->origin.name, "", 1};
+    // Behind a comment it needs a line of its own.
+    const bool has_comment = text.find("//") != std::string::npos;
+    std::vector<SessionChange::Draft> made =
+        change_.parse(text + (has_comment ? "\n" : "") + std::string(added.substr(added.find('.'))), origin, true);
+    if (made.size() != 1) return;
+    change_.changes.push_back("now: " + shortened(made.front()->text));
+    if (is_last_of_many) change_.append(made.front());
+    else change_.replace(*at, made.front());
+    last_id_ = made.front()->id;
+  }
+
+  // `ball = ball { radius: 2 }` means the ball there was; the document says what that is.
+  SessionChange::Draft without_itself(const SessionChange::Draft& draft) {
+    const auto at = change_.find(draft->key);
+    if (!at || change_[*at].kind != Kind::bind) return nullptr;
+    const Ast& ast = draft->unit->ast;
+    const NodeId value = ast.bind_item(draft->nodes.front()).value;
+    const std::string_view source = core_.program.sources.file(ast.file).text;
+    const Statement& old = change_[*at];
+    const Ast& old_ast = old.unit->ast;
+    const NodeId old_value = old_ast.bind_item(old.nodes.front()).value;
+    const Kind kind = old_ast.kind(old_value);
+    std::string replacement(core_.program.sources.text(old_ast.span(old_value)));
+    const bool is_postfix = kind == Kind::name || kind == Kind::override_ || kind == Kind::call || kind == Kind::member ||
+                            kind == Kind::number || kind == Kind::numbers || kind == Kind::list || kind == Kind::color;
+    if (!is_postfix) replacement = "(" + replacement + ")";
+    const std::string rewritten = with_name_replaced(source, ast, value, draft->key, replacement);
+    if (rewritten == source) return nullptr;
+    // Of an input of several statements only this one.
+    const std::size_t growth = rewritten.size() - source.size();
+    const Node& whole = ast[draft->nodes.front()];
+    const std::string statement = rewritten.substr(whole.begin, whole.end - whole.begin + growth);
+    const std::size_t comments = draft->text.find(source.substr(whole.begin, whole.end - whole.begin));
+    const std::string above = comments == std::string::npos ? "" : draft->text.substr(0, comments);
+    const std::vector<SessionChange::Draft> made = change_.parse(above + statement, draft->origin, true);
+    if (made.size() != 1) return nullptr;
+    change_.changes.push_back("now: " + shortened(made.front()->text));
+    return made.front();
+  }
+
+  SessionCore& core_;
+  SessionChange& change_;
+  std::uint64_t last_id_;
+};
+
+} // namespace
+
+SessionResult Session::submit(std::string_view text) {
+  SessionCore& core = state_->core;
+  core.report = Report();
+  SessionChange change(core, state_->document());
+  Submission submission(core, change, state_->documents[state_->current].last_id);
+  submission.run(text);
+  if (core.report.has_errors()) return failed(core);
+  return state_->finish(change, shortened(text), submission.last_id());
+}
+
+SessionResult Session::load(const std::string& path) {
+  SessionCore& core = state_->core;
+  std::string text = read_file(path);
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+  core.report = Report();
+  core.files.set_folder(whole.parent_path());
+  SessionChange change(core, {});
+  const TextOrigin origin{path, error ? path : whole.string(), 1};
+  std::uint64_t last_id = 0;
+  for (const SessionChange::Draft& draft : change.parse_file(std::move(text), origin)) {
+    change.append(draft);
+    if (!draft->is_comment()) last_id = draft->id;
+  }
+  return state_->finish(change, ":load " + path, last_id);
+}
+
+SessionResult Session::reset() {
+  SessionCore& core = state_->core;
+  core.report = Report();
+  SessionChange change(core, {});
+  return state_->finish(change, ":reset", 0);
+}
+
+namespace {
+
+// The statement that a name stands for: what declares it, the thing with this name, or the only one of its noun.
+std::optional<std::size_t> find_thing(const SessionCore& core, const SessionChange& change, std::string_view name) {
+  if (const Symbol symbol = core.program.symbols.find(name); symbol != no_symbol)
+    if (const auto at = change.find(symbol)) return at;
+  std::optional<std::size_t> by_noun;
+  for (std::size_t i = change.size(); i-- > 0;) {
+    const Statement& statement = change[i];
+    if (statement.nodes.size() != 1 || statement.declares()) continue;
+    const Ast& ast = statement.unit->ast;
+    for (const Node& node : ast.nodes) {
+      if (node.kind != Kind::property || core.program.symbols.name(Symbol{node.a}) != "name") continue;
+      const NodeId value{node.b};
+      const Node& whole = ast[statement.nodes.front()];
+      const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
+      if (is_inside && ast.kind(value) == Kind::string && ast.text(value) == name) return i;
+    }
+    const NodeId base = innermost(ast, statement.nodes.front());
+    if (ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == name) {
+      if (by_noun) return std::nullopt;
+      by_noun = i;
+    }
+  }
+  return by_noun;
+}
+
+std::string line_of(const Statement& statement) { return fmt::format("`{}`", shortened(statement.text)); }
+
+} // namespace
+
+SessionResult Session::set(std::string_view target, std::string_view value) {
+  SessionCore& core = state_->core;
+  const std::size_t dot = target.find('.');
+  if (dot == std::string_view::npos) return submit(fmt::format("{}: {}", target, value));
+  const std::string_view name = target.substr(0, dot), property = target.substr(dot + 1);
+  core.report = Report();
+  SessionChange change(core, state_->document());
+  const auto at = find_thing(core, change, name);
+  if (!at)
+    return failed("E0201", fmt::format("there is no thing called `{}`", name),
+                  "a thing has a name when it is bound with `=`, or by its property `name`");
+  const Statement& statement = change[*at];
+  const Ast& ast = statement.unit->ast;
+  if (statement.is_function() || statement.kind == Kind::use || statement.kind == Kind::include)
+    return failed("E0201", fmt::format("`{}` is no thing, but a declaration", name));
+  NodeId node = statement.nodes.front();
+  if (statement.kind == Kind::bind) node = ast.bind_item(node).value;
+  const std::string_view source = core.program.sources.file(ast.file).text;
+  const auto edited = with_property(source, ast, node, core.program.symbols.intern(property), property, value);
+  if (!edited) return failed("E0201", fmt::format("{} has no properties", line_of(statement)));
+  const Node& whole = ast[statement.nodes.front()];
+  const std::string old_item(source.substr(whole.begin, whole.end - whole.begin));
+  const std::string item = edited->substr(whole.begin, old_item.size() + edited->size() - source.size());
+  std::string text = statement.text;
+  const std::size_t place = text.find(old_item);
+  if (place == std::string::npos) text = item;
+  else text.replace(place, old_item.size(), item);
+  const std::string before = shortened(text);
+  SessionChange::Draft draft = change.parse_again(statement, text);
+  if (!draft) return failed(core);
+  const std::uint64_t id = statement.id;
+  change.changes.push_back("now: " + before);
+  change.replace(*at, std::move(draft));
+  return state_->finish(change, fmt::format(":set {} {}", target, value), id);
+}
+
+SessionResult Session::remove(std::string_view name) {
+  SessionCore& core = state_->core;
+  core.report = Report();
+  SessionChange change(core, state_->document());
+  std::optional<std::size_t> at = find_thing(core, change, name);
+  if (!at) {
+    const Symbol symbol = core.program.symbols.find(name);
+    for (std::size_t i = 0; i < change.size(); ++i)
+      if (symbol != no_symbol && change[i].kind == Kind::property && change[i].key == symbol) at = i;
+  }
+  if (!at) return failed("E0201", fmt::format("there is nothing called `{}`", name));
+  const std::vector<std::size_t> users = change.users(*at);
+  if (!users.empty()) {
+    SessionResult result = failed("E0201", fmt::format("`{}` cannot be removed: it is used", name));
+    for (const std::size_t user : users) result.diagnostics.back().notes.push_back({std::nullopt, "by " + line_of(change[user])});
+    return result;
+  }
+  change.changes.push_back("removed: " + shortened(change[*at].text));
+  change.erase(*at);
+  return state_->finish(change, fmt::format(":remove {}", name), state_->documents[state_->current].last_id);
+}
+
+bool Session::undo() {
+  if (state_->current == 0) return false;
+  state_->undone.push_back(state_->current);
+  state_->go_to(state_->versions[state_->current].parent);
+  return true;
+}
+
+bool Session::redo() {
+  if (state_->undone.empty()) return false;
+  const std::size_t next = state_->undone.back();
+  state_->undone.pop_back();
+  state_->go_to(next);
+  return true;
+}
+
+bool Session::go_to(std::size_t version) {
+  if (version >= state_->versions.size()) return false;
+  state_->undone.clear();
+  state_->go_to(version);
+  return true;
+}
+
+std::size_t Session::version() const { return state_->current; }
+const std::vector<SessionVersion>& Session::versions() const { return state_->versions; }
+bool Session::is_empty() const { return state_->document().empty(); }
+std::string Session::text(std::size_t version) const { return join_lines(*state_->documents[version].document); }
+std::string Session::formatted() const { return text(); }
+
+std::string Session::diff(std::size_t from, std::size_t to) const {
+  const Document& before = *state_->documents[from].document;
+  const Document& after = *state_->documents[to].document;
+  std::set<std::string_view> texts_before, texts_after;
+  for (const StatementRef& statement : before) texts_before.insert(statement->text);
+  for (const StatementRef& statement : after) texts_after.insert(statement->text);
+  std::string out;
+  const auto put = [&out](char mark, std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      out += fmt::format("{} {}\n", mark, text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  };
+  std::size_t i = 0, j = 0;
+  while (i < before.size() || j < after.size()) {
+    if (i < before.size() && !texts_after.contains(before[i]->text)) put('-', before[i++]->text);
+    else if (j < after.size() && !texts_before.contains(after[j]->text)) put('+', after[j++]->text);
+    else i += i < before.size(), j += j < after.size();
+  }
+  return out;
+}
+
+const scene::Scene& Session::scene() { return state_->scene.scene(); }
+const std::vector<Diagnostic>& Session::assumptions() { return state_->scene.assumptions(); }
+std::vector<SceneStretch> Session::stretches() { return state_->scene.stretches(); }
+
+std::vector<ListedObject> Session::objects() {
+  return list_objects(state_->document(), state_->scene.scene(), state_->core.program);
+}
+
+std::vector<std::string> Session::names() const {
+  std::vector<std::string> names;
+  for (const StatementRef& statement : state_->document())
+    for (const TopName& name : statement->names) names.emplace_back(state_->core.program.symbols.name(name.name));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+namespace {
+
+const TopName* find_name(const Document& document, Symbol symbol) {
+  if (symbol == no_symbol) return nullptr;
+  for (auto statement = document.rbegin(); statement != document.rend(); ++statement)
+    for (const TopName& name : (*statement)->names)
+      if (name.name == symbol) return &name;
+  return nullptr;
+}
+
+} // namespace
+
+const Noun* Session::noun_of(std::string_view name) const {
+  SessionCore& core = state_->core;
+  if (const TopName* found = find_name(state_->document(), core.program.symbols.find(name))) {
+    if (found->meaning == Meaning::function) return found->known.is_thing() ? found->known.noun : nullptr;
+    const Value& value = core.evaluator.session_value(found->slot);
+    return value.is(ValueKind::thing) ? value.thing().noun : nullptr;
+  }
+  for (const Program::LibraryName& entry : core.program.library_names)
+    if (core.program.symbols.name(entry.name) == name) return &core.program.nouns.material();
+  return core.program.nouns.find(name);
+}
+
+std::vector<std::string> Session::properties_of(std::string_view name) const {
+  std::vector<std::string> words;
+  const Program& program = state_->core.program;
+  const Noun* noun = noun_of(name);
+  if (!noun) return words;
+  for (const Property& property : noun->properties) words.emplace_back(property.name);
+  if (const TopName* found = find_name(state_->document(), program.symbols.find(name))) {
+    const FunctionInfo* def = found->known.function;
+    if (found->meaning != Meaning::function) {
+      const Value& value = state_->core.evaluator.session_value(found->slot);
+      def = value.is(ValueKind::thing) ? value.thing().def : nullptr;
+    }
+    if (def)
+      for (const FunctionInfo::Parameter& parameter : def->parameters) words.emplace_back(program.symbols.name(parameter.name));
+  }
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+const Program& Session::program() const { return state_->core.program; }
+const SourceMap& Session::sources() const { return state_->core.program.sources; }
+const SessionCounters& Session::counters() const { return state_->core.counters; }
+
+} // namespace rt::lang

@@ -1,0 +1,411 @@
+#include "lang/session_change.hpp"
+
+#include "lang/deep_stack.hpp"
+#include "lang/library.hpp"
+#include "lang/parse.hpp"
+#include "lang/session_text.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rt::lang {
+namespace {
+
+void sort_unique(std::vector<Symbol>& symbols) {
+  std::sort(symbols.begin(), symbols.end());
+  symbols.erase(std::unique(symbols.begin(), symbols.end()), symbols.end());
+  symbols.shrink_to_fit();
+}
+
+Symbol key_of(const Ast& ast, NodeId node) {
+  switch (ast.kind(node)) {
+  case Kind::bind: return ast.symbol(ast.bind_item(node).name);
+  case Kind::def:
+  case Kind::fn: return ast.symbol(ast.function(node).name);
+  case Kind::use: return ast.symbol(ast.use_item(node).name);
+  case Kind::param: return ast.symbol(ast.param_item(node).name);
+  case Kind::property: return ast.named(node).symbol;
+  default: return no_symbol;
+  }
+}
+
+} // namespace
+
+SessionCore::SessionCore(std::string folder, LoadOptions load_options)
+    : options(std::move(load_options)), files(program, report, folder, options.include_roots),
+      evaluator(program, report, options.limits, options.stop, nullptr) {
+  program.library = &files.parse_text(std::string(library_name), {}, std::string(library_text()));
+  for (const auto& [name, text] : options.defines) {
+    Unit& unit = files.parse_expression_text(fmt::format("-D {}", name), text);
+    program.defines.push_back({program.symbols.intern(name), &unit, 0, false});
+  }
+  std::vector<std::string> open_files;
+  Checker(program, files, report, open_files).check_library();
+  for (Define& define : program.defines) Checker(program, files, report, open_files).check_define(define);
+  run_on_deep_stack([this](const char* stack_limit) {
+    evaluator.begin_session();
+    evaluator.begin_input(0, stack_limit);
+  });
+}
+
+SessionChange::SessionChange(SessionCore& core, const Document& document) : core_(core) {
+  core.evaluator.begin_change();
+  entries_.reserve(document.size() + 1);
+  for (const StatementRef& statement : document) entries_.push_back({statement, nullptr});
+}
+
+Unit& SessionChange::add_unit(std::string text, const TextOrigin& origin, bool folds_repeats, bool is_typed) {
+  const FileId file = core_.program.sources.add(origin.name, origin.path, std::move(text));
+  ParseOptions options;
+  options.folds_repeats = folds_repeats;
+  options.is_session = is_typed;
+  Parsed parsed = rt::lang::parse(core_.program.sources, file, core_.program.symbols, options);
+  core_.report.take(std::move(parsed.diagnostics));
+  Unit& unit = core_.program.units.emplace_back();
+  unit.ast = std::move(parsed.ast);
+  return unit;
+}
+
+SessionChange::Draft SessionChange::make_draft(Unit& unit, NodeId node, const std::string& text,
+                                               const TextOrigin& origin) const {
+  auto draft = std::make_shared<Statement>();
+  draft->id = ++core_.last_id;
+  draft->text = text;
+  draft->origin = origin;
+  draft->unit = &unit;
+  if (node == no_node) return draft;
+  draft->kind = unit.ast.kind(node);
+  draft->key = key_of(unit.ast, node);
+  draft->nodes.push_back(node);
+  ++core_.counters.statements_parsed;
+  return draft;
+}
+
+std::vector<SessionChange::Draft> SessionChange::parse(std::string text, const TextOrigin& origin, bool is_typed) {
+  Unit& unit = add_unit(std::move(text), origin, !is_typed, is_typed);
+  const std::string_view source = core_.program.sources.file(unit.ast.file).text;
+  const NodeList items = unit.ast.children(unit.ast.root);
+  std::vector<Draft> drafts;
+  if (core_.report.has_errors()) return drafts;
+  const std::vector<ItemText> texts = cut_items(source, unit.ast, items);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const NodeId node = i < items.size() ? items[i] : no_node;
+    const TextOrigin place{origin.name, origin.path, origin.line + texts[i].line - 1};
+    // Things that were folded into repeats of one another are one statement.
+    const bool continues = node != no_node && unit.ast.kind(node) == Kind::repeat && !drafts.empty() &&
+                           drafts.back()->nodes.front() == unit.ast.repeat(node).model;
+    if (continues) {
+      drafts.back()->nodes.push_back(node);
+      drafts.back()->text += "\n" + texts[i].text;
+      continue;
+    }
+    drafts.push_back(make_draft(unit, node, texts[i].text, place));
+    drafts.back()->may_print = is_typed;
+  }
+  return drafts;
+}
+
+std::vector<SessionChange::Draft> SessionChange::parse_file(std::string text, const TextOrigin& origin) {
+  return parse(std::move(text), origin, false);
+}
+
+// The lines above it are made up, so that its own have their numbers.
+SessionChange::Draft SessionChange::parse_again(const Statement& old, std::string text) {
+  const std::string lines(old.origin.line - 1, '\n');
+  Unit& unit = add_unit(lines + text, old.origin, true, false);
+  const NodeList items = unit.ast.children(unit.ast.root);
+  if (core_.report.has_errors()) return nullptr;
+  if (items.empty()) return nullptr;
+  Draft draft = make_draft(unit, items.front(), text, old.origin);
+  draft->nodes.assign(items.begin(), items.end());
+  draft->id = old.id;
+  draft->may_print = old.may_print;
+  return draft;
+}
+
+SessionChange::Draft SessionChange::redraft(const Statement& old) { return parse_again(old, old.text); }
+
+void SessionChange::append(Draft draft) { entries_.push_back({nullptr, std::move(draft)}); }
+
+void SessionChange::clear() { entries_.clear(); }
+
+std::optional<std::size_t> SessionChange::find(Symbol name) const {
+  for (std::size_t i = entries_.size(); i-- > 0;) {
+    const Statement& statement = entries_[i].get();
+    if (statement.declares() && statement.key == name) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> SessionChange::find_id(std::uint64_t id) const {
+  for (std::size_t i = entries_.size(); i-- > 0;)
+    if (entries_[i].get().id == id) return i;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> SessionChange::users(std::size_t at) const {
+  std::vector<std::size_t> found;
+  for (const TopName& name : entries_[at].get().names) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const std::vector<Symbol>& uses = entries_[i].get().uses;
+      if (i != at && std::binary_search(uses.begin(), uses.end(), name.name)) found.push_back(i);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void SessionChange::place(Draft draft) {
+  std::optional<std::size_t> old;
+  if (draft->declares()) {
+    old = find(draft->key);
+  } else if (draft->kind == Kind::property) {
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].get().kind == Kind::property && entries_[i].get().key == draft->key) old = i;
+  }
+  if (!old) return append(std::move(draft));
+  replaced_.emplace_back(core_.program.symbols.name(draft->key));
+  replace(*old, std::move(draft));
+}
+
+bool SessionChange::mentions(const Statement& statement, Symbol name) const {
+  const Ast& ast = statement.unit->ast;
+  for (const NodeId item : statement.nodes) {
+    const Node& whole = ast[item];
+    for (const Node& node : ast.nodes) {
+      const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
+      if (is_inside && node.kind == Kind::name && Symbol{node.a} == name) return true;
+    }
+  }
+  return false;
+}
+
+// What the new statement needs must stand before it; where that came later than the old one, it moves there.
+void SessionChange::replace(std::size_t at, Draft draft) {
+  const Statement& old = entries_[at].get();
+  draft->id = old.id;
+  mark_changed(old, at);
+  std::size_t needed = at;
+  for (std::size_t i = at + 1; i < entries_.size(); ++i) {
+    const Statement& later = entries_[i].get();
+    if (!later.declares() || (draft->is_function() && later.is_function())) continue;
+    if (mentions(*draft, later.key)) needed = i;
+  }
+  if (needed > at) return move_behind(at, needed, std::move(draft));
+  entries_[at] = {nullptr, std::move(draft)};
+}
+
+void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft) {
+  std::set<Symbol> moved_names;
+  for (const TopName& name : entries_[at].get().names) moved_names.insert(name.name);
+  std::vector<Entry> before(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(at)), moved;
+  for (std::size_t i = at + 1; i <= needed; ++i) {
+    const Statement& statement = entries_[i].get();
+    const bool moves = std::any_of(statement.uses.begin(), statement.uses.end(), [&](Symbol s) { return moved_names.contains(s); });
+    if (moves && statement.declares() && mentions(*draft, statement.key)) {
+      const std::string_view name = core_.program.symbols.name(draft->key), other = core_.program.symbols.name(statement.key);
+      if (Diagnostic* d = core_.report.error("E0203", draft->unit->ast.span(draft->nodes.front()))) {
+        d->message = fmt::format("`{}` would need itself: `{}` is made of it", name, other);
+        d->label = fmt::format("this uses `{}`", other);
+      }
+    }
+    for (const TopName& name : statement.names)
+      if (moves) moved_names.insert(name.name);
+    (moves ? moved : before).push_back(entries_[i]);
+  }
+  before.push_back({nullptr, std::move(draft)});
+  before.insert(before.end(), moved.begin(), moved.end());
+  before.insert(before.end(), entries_.begin() + static_cast<std::ptrdiff_t>(needed) + 1, entries_.end());
+  entries_ = std::move(before);
+}
+
+void SessionChange::erase(std::size_t at) {
+  mark_changed(entries_[at].get(), at);
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+void SessionChange::mark_changed(const Statement& statement, std::size_t position) {
+  const auto mark = [&](Symbol name, bool is_function) {
+    const auto [found, is_new] = changed_.try_emplace(static_cast<std::uint32_t>(name), ChangedName{is_function, position});
+    found->second.is_function |= is_function;
+    found->second.position = std::min(found->second.position, position);
+  };
+  if (statement.declares()) mark(statement.key, statement.is_function());
+  for (const TopName& name : statement.names) mark(name.name, name.meaning == Meaning::function);
+}
+
+// Names that it took from other statements, and those that would mean something else from now on.
+bool SessionChange::is_affected(const Statement& statement, std::size_t position) const {
+  const auto is_changed = [&](Symbol name, bool was_global) {
+    const auto found = changed_.find(static_cast<std::uint32_t>(name));
+    if (found == changed_.end()) return false;
+    return !was_global || found->second.is_function || found->second.position < position;
+  };
+  return std::any_of(statement.uses.begin(), statement.uses.end(), [&](Symbol s) { return is_changed(s, false); }) ||
+         std::any_of(statement.globals.begin(), statement.globals.end(), [&](Symbol s) { return is_changed(s, true); });
+}
+
+void SessionChange::renew_dependents() {
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (entries_[i].fresh) mark_changed(*entries_[i].fresh, i);
+  if (changed_.empty()) return;
+  std::vector<std::string> renewed;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      Entry& entry = entries_[i];
+      if (entry.fresh || !is_affected(*entry.done, i)) continue;
+      entry.fresh = redraft(*entry.done);
+      if (!entry.fresh) return; // cannot be: it was read before
+      mark_changed(*entry.done, i);
+      renewed.push_back(shortened(entry.done->text));
+      goes_on = true;
+    }
+  }
+  tell_dependents(renewed);
+}
+
+void SessionChange::tell_dependents(const std::vector<std::string>& renewed) {
+  for (const std::string& name : replaced_) changes.push_back(fmt::format("{} replaced", name));
+  constexpr std::size_t most = 4;
+  for (std::size_t i = 0; i < std::min(renewed.size(), most); ++i)
+    changes.push_back(fmt::format("made anew: {}", renewed[i]));
+  if (renewed.size() > most) changes.push_back(fmt::format("and {} more", renewed.size() - most));
+}
+
+std::optional<Document> SessionChange::finish() {
+  if (core_.report.has_errors()) return std::nullopt;
+  renew_dependents();
+  if (core_.report.has_errors() || !check() || !evaluate()) return std::nullopt;
+  take_out_printed();
+  settle_cameras();
+  check_scene_properties();
+  if (core_.report.has_errors()) return std::nullopt;
+  Document document;
+  document.reserve(entries_.size());
+  for (Entry& entry : entries_) document.push_back(entry.fresh ? StatementRef(std::move(entry.fresh)) : std::move(entry.done));
+  return document;
+}
+
+bool SessionChange::check() {
+  std::vector<TopItem> items;
+  std::vector<Statement*> fresh; // of the items; null for those checked before
+  for (const Entry& entry : entries_) {
+    const Statement& statement = entry.get();
+    if (statement.is_comment() || (!entry.fresh && statement.names.empty())) continue;
+    TopItem& item = items.emplace_back();
+    fresh.push_back(entry.fresh.get());
+    if (!entry.fresh) {
+      item.names = statement.names;
+      continue;
+    }
+    item.unit = statement.unit;
+    item.nodes = statement.nodes;
+  }
+  std::vector<std::string> open_files;
+  Checker(core_.program, core_.files, core_.report, open_files).check_session(items, core_.slots);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!fresh[i]) continue;
+    fresh[i]->names = std::move(items[i].names);
+    fresh[i]->uses = std::move(items[i].uses);
+    fresh[i]->globals = std::move(items[i].globals);
+    sort_unique(fresh[i]->uses);
+    sort_unique(fresh[i]->globals);
+  }
+  return !core_.report.has_errors();
+}
+
+bool SessionChange::evaluate() {
+  std::vector<Statement*> fresh;
+  for (const Entry& entry : entries_)
+    if (entry.fresh && !entry.fresh->is_comment()) fresh.push_back(entry.fresh.get());
+  if (fresh.empty()) return true;
+  Evaluator& evaluator = core_.evaluator;
+  run_on_deep_stack([&](const char* stack_limit) {
+    evaluator.begin_input(core_.slots, stack_limit);
+    for (Statement* statement : fresh) {
+      statement->made = evaluator.run_statement(*statement->unit, statement->nodes, statement->may_print);
+      statement->stamp = ++core_.last_stamp;
+      ++core_.counters.statements_evaluated;
+      core_.counters.objects_evaluated += statement->made.objects.size();
+      if (core_.report.has_errors()) return;
+    }
+    evaluator.try_session_functions();
+  });
+  for (Statement* statement : fresh) {
+    for (const scene::Object& object : statement->made.objects) {
+      const Box3 box = object.is_visible ? scene::bounds(evaluator.scene(), object) : Box3{};
+      if (box.is_finite()) statement->finite_box.extend(box);
+    }
+  }
+  return !core_.report.has_errors();
+}
+
+// Expressions that are no things were asked for their value; they do not join the document.
+void SessionChange::take_out_printed() {
+  std::erase_if(entries_, [this](const Entry& entry) {
+    if (!entry.fresh || !entry.fresh->made.printed) return false;
+    const Value& value = *entry.fresh->made.printed;
+    if (value.is_poison()) return true;
+    values.push_back({format(value, core_.program.symbols), as_color(value)});
+    if (value.is(ValueKind::number)) values.back().color.reset();
+    return true;
+  });
+}
+
+// A scene has one camera: another one takes the place of one that stands on a line of its own.
+void SessionChange::settle_cameras() {
+  std::optional<std::size_t> last;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (entries_[i].get().made.camera && (!last || entries_[i].fresh)) last = i;
+  if (!last) return;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (i != *last && entries_[i].get().made.camera) others.push_back(i);
+  for (auto i = others.rbegin(); i != others.rend(); ++i) {
+    const Statement& other = entries_[*i].get();
+    const bool is_alone = other.may_print || other.made.objects.empty();
+    if (entries_[*i].fresh || !is_alone || other.declares() || !other.names.empty()) {
+      if (Diagnostic* d = core_.report.error("E0404", entries_[*last].get().made.camera_place)) {
+        d->message = "there is a camera already, and a scene has one";
+        d->notes.push_back({other.made.camera_place, "the first one is here"});
+      }
+      return;
+    }
+    changes.push_back("the camera replaced: " + shortened(other.text));
+    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(*i));
+  }
+}
+
+void SessionChange::check_scene_properties() {
+  scene::Scene probe;
+  const Noun& noun = core_.program.nouns.scene();
+  std::vector<const PropertyValue*> written(noun.properties.size());
+  for (const Entry& entry : entries_) {
+    for (const PropertyValue& p : entry.get().made.properties) {
+      if (p.value.is_poison()) continue;
+      const Property& property = noun.properties[p.id];
+      if (const PropertyValue* first = written[p.id]) {
+        if (Diagnostic* d = core_.report.error("E0205", p.span)) {
+          d->message = fmt::format("`{}` is written twice", property.name);
+          d->notes.push_back({first->span, "first here"});
+        }
+        return;
+      }
+      written[p.id] = &p;
+      property.field->set(&probe, core_.evaluator.scene_value(p));
+    }
+  }
+  const auto problem = scene::check(probe);
+  if (!problem) return;
+  for (const PropertyValue* p : written) {
+    if (!p || noun.properties[p->id].name != problem->field) continue;
+    if (Diagnostic* d = core_.report.error("E0407", p->span)) d->message = problem->message;
+  }
+}
+
+} // namespace rt::lang

@@ -1,0 +1,495 @@
+#include "lang/session.hpp"
+
+#include "renderer/render.hpp"
+#include "renderer/traceable.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+using rt::lang::Session;
+using rt::lang::SessionResult;
+
+// A session that is told what it should accept.
+struct Talk {
+  Session session{"."};
+
+  SessionResult say(const std::string& text) {
+    SessionResult result = session.submit(text);
+    INFO(text);
+    for (const rt::lang::Diagnostic& d : result.diagnostics) UNSCOPED_INFO(rt::lang::render(d, session.sources(), false));
+    REQUIRE(result.is_accepted);
+    return result;
+  }
+  std::string value(const std::string& text) {
+    const SessionResult result = say(text);
+    REQUIRE(result.values.size() == 1);
+    return result.values.front().text;
+  }
+  SessionResult refuse(const std::string& text) {
+    const std::size_t version = session.version();
+    const std::string before = session.text();
+    SessionResult result = session.submit(text);
+    INFO(text);
+    CHECK_FALSE(result.is_accepted);
+    CHECK_FALSE(result.diagnostics.empty());
+    CHECK(session.version() == version);
+    CHECK(session.text() == before);
+    return result;
+  }
+  std::size_t count() { return session.scene().objects.size(); }
+  rt::Vec3 at(std::size_t i) { return rt::scene::bounds(session.scene(), session.scene().objects.at(i)).center(); }
+  double radius(std::size_t i) {
+    return session.scene().shapes.get<rt::scene::Sphere>(session.scene().objects.at(i).shape).radius;
+  }
+};
+
+std::vector<rt::Rgb32> picture(const rt::scene::Scene& scene) {
+  rt::scene::Scene small = scene;
+  small.size = {48, 36};
+  return rt::render(small, {}).film.color;
+}
+
+bool are_equal(const std::vector<rt::Rgb32>& a, const std::vector<rt::Rgb32>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(rt::Rgb32)) == 0;
+}
+
+struct Folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("rtlang_session_test_" + std::to_string(getpid()));
+  Folder() {
+    std::filesystem::remove_all(path);
+    std::filesystem::create_directories(path);
+  }
+  ~Folder() { std::filesystem::remove_all(path); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name) << text;
+    return (path / name).string();
+  }
+};
+
+} // namespace
+
+TEST_CASE("session: a thing on its own line is placed, a bound one is kept for later") {
+  Talk talk;
+  talk.say("ball = sphere { radius: 2 }");
+  CHECK(talk.count() == 0);
+  talk.say("ball");
+  talk.say("box {}");
+  CHECK(talk.count() == 2);
+  CHECK(talk.radius(0) == 2);
+  CHECK(talk.session.text() == "ball = sphere { radius: 2 }\nball\nbox {}\n");
+}
+
+TEST_CASE("session: an expression that is no thing shows its value and does not join the document") {
+  Talk talk;
+  CHECK(talk.value("1 + 2") == "3");
+  CHECK(talk.value("[1, 2, 3] * 2") == "[2, 4, 6]");
+  CHECK(talk.value("[i * i for i in 0..3]") == "[0, 1, 4, 9]");
+  talk.say("n = 4");
+  CHECK(talk.value("n / 8") == "0.5");
+  const SessionResult red = talk.say("red");
+  REQUIRE(red.values.front().color);
+  CHECK(*red.values.front().color == rt::Color{1, 0, 0});
+  CHECK(talk.session.text() == "n = 4\n");
+  CHECK(talk.session.version() == 1);
+}
+
+TEST_CASE("session: a list of things is placed, one by one") {
+  Talk talk;
+  talk.say("[sphere { at: [i, 0, 0] } for i in 0..<5]");
+  CHECK(talk.count() == 5);
+  CHECK(talk.at(3) == rt::Vec3{3, 0, 0});
+}
+
+TEST_CASE("session: several statements in one input are several lines") {
+  Talk talk;
+  talk.say("r = 2\nsphere { radius: r }\nr * 3");
+  CHECK(talk.session.text() == "r = 2\nsphere { radius: r }\n");
+  CHECK(talk.session.version() == 1);
+}
+
+TEST_CASE("session: binding a name again replaces its line, and what depends on it is made anew") {
+  Talk talk;
+  talk.say("r = 1");
+  talk.say("d = 2 * r");
+  talk.say("sphere { radius: d }");
+  talk.say("box {}");
+  const auto before = talk.session.counters();
+  const SessionResult result = talk.say("r = 5");
+  CHECK(talk.session.text() == "r = 5\nd = 2 * r\nsphere { radius: d }\nbox {}\n");
+  CHECK(talk.radius(0) == 10);
+  // r itself, d and the sphere; not the box.
+  CHECK(talk.session.counters().statements_evaluated - before.statements_evaluated == 3);
+  CHECK(result.changes == std::vector<std::string>{"r replaced", "made anew: d = 2 * r", "made anew: sphere { radius: d }"});
+}
+
+TEST_CASE("session: functions and nouns that are redefined change what calls them, also through each other") {
+  Talk talk;
+  talk.say("fn double(x) = 2 * x");
+  talk.say("fn four(x) = double(double(x))");
+  talk.say("def lamp(size = 1) { sphere { radius: four(size) } }");
+  talk.say("lamp { size: 3 }");
+  CHECK(talk.value("four(1)") == "4");
+  talk.say("fn double(x) = 3 * x");
+  CHECK(talk.value("four(1)") == "9");
+  const auto& scene = talk.session.scene();
+  const auto& group = scene.shapes.get<rt::scene::Group>(scene.objects.at(0).shape);
+  CHECK(scene.shapes.get<rt::scene::Sphere>(group.members.at(0).shape).radius == 27);
+  talk.say("def lamp(size = 1) { box { size: size } \n sphere {} }");
+  const auto& again = talk.session.scene();
+  CHECK(again.shapes.get<rt::scene::Group>(again.objects.at(0).shape).members.size() == 2);
+}
+
+TEST_CASE("session: functions may call each other, and one of them may be replaced") {
+  Talk talk;
+  talk.say("fn even(n) = if n == 0 { true } else { odd(n - 1) }\nfn odd(n) = if n == 0 { false } else { even(n - 1) }");
+  CHECK(talk.value("even(10)") == "true");
+  talk.say("fn odd(n) = if n == 0 { true } else { even(n - 1) }");
+  CHECK(talk.value("even(3)") == "true");
+}
+
+TEST_CASE("session: a name that is bound to itself with changes means what it was") {
+  Talk talk;
+  talk.say("ball = sphere { radius: 2 }");
+  talk.say("ball");
+  talk.say("ball = ball { at: [1, 0, 0] }");
+  CHECK(talk.radius(0) == 2);
+  CHECK(talk.at(0) == rt::Vec3{1, 0, 0});
+  talk.say("n = 1 + 2");
+  talk.say("n = n * 10");
+  CHECK(talk.value("n") == "30");
+}
+
+TEST_CASE("session: a line that uses later names moves behind them, with what depends on it") {
+  Talk talk;
+  talk.say("a = 1");
+  talk.say("b = a + 1");
+  talk.say("c = 10");
+  talk.say("a = c + 1");
+  CHECK(talk.session.text() == "c = 10\na = c + 1\nb = a + 1\n");
+  CHECK(talk.value("b") == "12");
+  const SessionResult result = talk.refuse("a = b + 1");
+  CHECK(result.diagnostics.front().message == "`a` would need itself: `b` is made of it");
+}
+
+TEST_CASE("session: a line that begins with a dot changes the last thing, placed or bound") {
+  Talk talk;
+  talk.refuse(".move(x: 2)");
+  talk.say("sphere {}");
+  talk.say(".move(x: 2)");
+  CHECK(talk.count() == 1);
+  CHECK(talk.at(0) == rt::Vec3{2, 0, 0});
+  talk.say("ball = sphere { radius: 3 }");
+  talk.say(".move(y: 1)");
+  talk.say("ball");
+  CHECK(talk.at(1) == rt::Vec3{0, 1, 0});
+  CHECK(talk.session.text() == "sphere {}.move(x: 2)\nball = sphere { radius: 3 }.move(y: 1)\nball\n");
+}
+
+TEST_CASE("session: properties of the scene and the camera are replaced when they are written again") {
+  Talk talk;
+  talk.say("background: red");
+  talk.say("background: blue");
+  CHECK(talk.session.scene().background == rt::Color{0, 0, 1});
+  talk.say("camera { at: [1, 2, 3] }");
+  talk.say("sphere {}");
+  talk.say("camera { at: [4, 5, 6] }");
+  CHECK(talk.session.scene().camera.at == rt::Vec3{4, 5, 6});
+  CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\n");
+}
+
+TEST_CASE("session: errors change nothing, also those in what depends on the input") {
+  Talk talk;
+  talk.say("r = 1");
+  talk.say("sphere { radius: r }");
+  const SessionResult dependent = talk.refuse("r = \"wide\"");
+  // The place is where the sphere was typed.
+  CHECK(rt::lang::render(dependent.diagnostics.front(), talk.session.sources(), false).find("sphere { radius: r }") !=
+        std::string::npos);
+  talk.refuse("sphere { raduis: 2 }");
+  talk.refuse("sphere { radius: -1 }");
+  talk.refuse("nonsense");
+  talk.refuse("box { size: }");
+  talk.refuse("fine = 1\nsphere { radius: nothing }");
+  talk.refuse("fn broken(x) = x + unknown");
+  talk.refuse("def bad() { sphere { raduis: 1 } }");
+  talk.refuse("for i in 0..2 { sphere { radius: i } }");
+  CHECK(talk.count() == 1);
+  CHECK(talk.radius(0) == 1);
+  CHECK(talk.value("r") == "1");
+}
+
+TEST_CASE("session: properties of named things are set in their text") {
+  Talk talk;
+  talk.say("ball = sphere {}");
+  talk.say("ball");
+  REQUIRE(talk.session.set("ball.radius", "2").is_accepted);
+  CHECK(talk.radius(0) == 2);
+  REQUIRE(talk.session.set("ball.radius", "3").is_accepted);
+  REQUIRE(talk.session.set("ball.at", "[1, 2, 3]").is_accepted);
+  CHECK(talk.session.text() == "ball = sphere { radius: 3, at: [1, 2, 3] }\nball\n");
+  talk.say("box { name: \"crate\" }.rotate(y: 45)");
+  REQUIRE(talk.session.set("crate.size", "4").is_accepted);
+  CHECK(talk.session.text().find("box { name: \"crate\", size: 4 }.rotate(y: 45)") != std::string::npos);
+  talk.say("wood = rgb(0.5, 0.3, 0.1)");
+  talk.say("camera {\n  at: [0, 1, 9]\n}");
+  REQUIRE(talk.session.set("camera.fov", "30").is_accepted);
+  CHECK(talk.session.text().find("camera {\n  at: [0, 1, 9]\n  fov: 30\n}") != std::string::npos);
+  CHECK(talk.session.scene().camera.fov == 30);
+  REQUIRE(talk.session.set("background", "red").is_accepted);
+  CHECK(talk.session.scene().background == rt::Color{1, 0, 0});
+  CHECK_FALSE(talk.session.set("nobody.radius", "2").is_accepted);
+  CHECK_FALSE(talk.session.set("ball.raduis", "2").is_accepted);
+  CHECK_FALSE(talk.session.set("ball.radius", "-2").is_accepted);
+  CHECK(talk.radius(0) == 3);
+}
+
+TEST_CASE("session: what others use is not removed") {
+  Talk talk;
+  talk.say("ball = sphere {}");
+  talk.say("ball { at: [0, 1, 0] }");
+  const SessionResult refused = talk.session.remove("ball");
+  CHECK_FALSE(refused.is_accepted);
+  REQUIRE(refused.diagnostics.front().notes.size() == 1);
+  CHECK(refused.diagnostics.front().notes.front().message == "by `ball { at: [0, 1, 0] }`");
+  talk.say("box { name: \"crate\" }");
+  REQUIRE(talk.session.remove("crate").is_accepted);
+  CHECK(talk.count() == 1);
+  talk.say("n = 3");
+  REQUIRE(talk.session.remove("n").is_accepted);
+  talk.refuse("n");
+  CHECK_FALSE(talk.session.remove("nobody").is_accepted);
+}
+
+TEST_CASE("session: undo and redo go over every kind of change, and pictures come back") {
+  Talk talk;
+  const Folder folder;
+  const std::string file = folder.write("other.rtl", "light { at: [3, 5, 4] }\nsphere { radius: 1.5 }\n");
+  const std::vector<std::function<void()>> changes{
+      [&] { talk.say("r = 1"); },
+      [&] { talk.say("ball = sphere { radius: r }"); },
+      [&] { talk.say("ball"); },
+      [&] { talk.say(".move(x: 1)"); },
+      [&] { talk.say("r = 2"); },
+      [&] { talk.say("background: red"); },
+      [&] { talk.say("background: navy"); },
+      [&] { talk.say("camera { at: [0, 2, 9] }"); },
+      [&] { talk.say("camera { at: [0, 3, 8] }"); },
+      [&] { talk.say("sun {}"); },
+      [&] { talk.say("def pair() { sphere {}\n box { at: [2, 0, 0] } }"); },
+      [&] { talk.say("for i in 0..2 { pair { at: [0, i, -3] } }"); },
+      [&] { CHECK(talk.session.set("ball.material", "gold").is_accepted); },
+      [&] { talk.say("fn f(x) = x"); },
+      [&] { CHECK(talk.session.remove("f").is_accepted); },
+      [&] { CHECK(talk.session.reset().is_accepted); },
+      [&] { CHECK(talk.session.load(file).is_accepted); },
+  };
+  std::vector<std::string> texts{talk.session.text()};
+  std::vector<std::vector<rt::Rgb32>> pictures{picture(talk.session.scene())};
+  for (const auto& change : changes) {
+    change();
+    texts.push_back(talk.session.text());
+    pictures.push_back(picture(talk.session.scene()));
+  }
+  REQUIRE(talk.session.version() == changes.size());
+  const auto check = [&](std::size_t i) {
+    INFO("version " << i);
+    CHECK(talk.session.version() == i);
+    CHECK(talk.session.text() == texts[i]);
+    CHECK(are_equal(picture(talk.session.scene()), pictures[i]));
+  };
+  for (std::size_t i = changes.size(); i-- > 0;) {
+    REQUIRE(talk.session.undo());
+    check(i);
+  }
+  CHECK_FALSE(talk.session.undo());
+  for (std::size_t i = 1; i <= changes.size(); ++i) {
+    REQUIRE(talk.session.redo());
+    check(i);
+  }
+  CHECK_FALSE(talk.session.redo());
+  for (const std::size_t i : {std::size_t{5}, std::size_t{12}, std::size_t{0}, std::size_t{9}}) {
+    REQUIRE(talk.session.go_to(i));
+    check(i);
+  }
+  CHECK_FALSE(talk.session.go_to(99));
+  // Nothing is evaluated for any of that.
+  const auto evaluated = talk.session.counters().statements_evaluated;
+  talk.session.undo();
+  talk.session.redo();
+  CHECK(talk.session.counters().statements_evaluated == evaluated);
+}
+
+TEST_CASE("session: a change after an undo goes on from there, and what was undone can still be had") {
+  Talk talk;
+  talk.say("sphere {}");
+  talk.say("box {}");
+  talk.session.undo();
+  talk.say("plane {}");
+  CHECK(talk.session.text() == "sphere {}\nplane {}\n");
+  CHECK(talk.session.versions()[3].parent == 1);
+  CHECK_FALSE(talk.session.redo());
+  REQUIRE(talk.session.go_to(2));
+  CHECK(talk.session.text() == "sphere {}\nbox {}\n");
+  CHECK(talk.session.diff(2, 3) == "- box {}\n+ plane {}\n");
+  CHECK(talk.session.diff(2, 2).empty());
+}
+
+TEST_CASE("session: after undoing a definition, what it was before is used") {
+  Talk talk;
+  talk.say("fn f(x) = x");
+  talk.say("n = f(1)");
+  talk.say("fn f(x) = x + 1");
+  CHECK(talk.value("[n, f(5), 0]") == "[2, 6, 0]");
+  talk.session.undo();
+  CHECK(talk.value("[n, f(5), 0]") == "[1, 5, 0]");
+  talk.say("m = f(n)");
+  CHECK(talk.value("m") == "1");
+}
+
+TEST_CASE("session: comments stay where they are") {
+  Talk talk;
+  talk.say("// a ball\nball = sphere {} // round\n// and that is it");
+  talk.say("ball");
+  CHECK(talk.session.text() == "// a ball\nball = sphere {} // round\n// and that is it\nball\n");
+  REQUIRE(talk.session.set("ball.radius", "2").is_accepted);
+  CHECK(talk.session.text() == "// a ball\nball = sphere { radius: 2 } // round\n// and that is it\nball\n");
+}
+
+TEST_CASE("session: a file that is loaded is its document, word by word, and makes the same picture") {
+  const Folder folder;
+  folder.write("colors.rtl", "rust = #b7410e\n");
+  const std::string text = "// A scene\nuse \"colors.rtl\" as colors\n\nsize: [64, 48]\n\n// things\n"
+                           "for i in 0..4 { sphere { at: [i, 0, 0], radius: 0.4, material: colors.rust } }\n"
+                           "table { width: 2 } // uses what comes later\n\ndef table(width = 1) {\n  box { size: [width, 0.1, width] }\n}\n"
+                           "sphere { at: [0, 1, 0] }\nsphere { at: [1, 1, 0] }\nsphere { at: [2, 1, 0] }\n";
+  const std::string path = folder.write("scene.rtl", text);
+  Talk talk;
+  talk.say("box {}");
+  REQUIRE(talk.session.load(path).is_accepted);
+  CHECK(talk.session.text() == text);
+  const rt::lang::Loaded loaded = rt::lang::load_file(path, {});
+  REQUIRE(loaded.scene);
+  CHECK(talk.count() == loaded.scene->objects.size());
+  CHECK(are_equal(picture(talk.session.scene()), picture(*loaded.scene)));
+}
+
+TEST_CASE("session: things of a loaded file can be changed like others") {
+  const Folder folder;
+  const std::string path = folder.write("scene.rtl", "r = 0.5\nsphere { radius: r, at: [0, 0, 0] }\nsphere { radius: r, at: [1, 0, 0] }\n"
+                                                     "sphere { radius: r, at: [2, 0, 0] }\n");
+  Talk talk;
+  REQUIRE(talk.session.load(path).is_accepted);
+  talk.say(".move(y: 1)");
+  CHECK(talk.count() == 3);
+  CHECK(talk.at(2) == rt::Vec3{2, 1, 0});
+  CHECK(talk.at(1) == rt::Vec3{1, 0, 0});
+  talk.say("r = 2");
+  for (std::size_t i = 0; i < 3; ++i) CHECK(talk.radius(i) == 2);
+  const SessionResult refused = talk.refuse("r = -1");
+  CHECK(rt::lang::render(refused.diagnostics.front(), talk.session.sources(), false).find("scene.rtl:2:") != std::string::npos);
+}
+
+TEST_CASE("session: a file with mistakes is not loaded, and all of them are told") {
+  const Folder folder;
+  const std::string path = folder.write("scene.rtl", "sphere { raduis: 1 }\nbox { sizze: 2 }\n");
+  Talk talk;
+  talk.say("plane {}");
+  const SessionResult result = talk.session.load(path);
+  CHECK_FALSE(result.is_accepted);
+  CHECK(result.diagnostics.size() == 2);
+  CHECK(talk.session.text() == "plane {}\n");
+}
+
+TEST_CASE("session: without a camera or a light they are assumed, and said so") {
+  Talk talk;
+  talk.say("sphere {}");
+  REQUIRE(talk.session.assumptions().size() == 2);
+  CHECK(talk.session.assumptions()[0].code == "N0001");
+  CHECK(talk.session.scene().lights.size() == 1);
+  const rt::lang::Loaded loaded = rt::lang::load_text("sphere {}", "a", ".", {});
+  CHECK(talk.session.scene().camera.at == loaded.scene->camera.at);
+  talk.say("sun {}");
+  CHECK(talk.session.assumptions().size() == 1);
+  CHECK(talk.session.scene().lights.size() == 1);
+}
+
+TEST_CASE("session: what does not change is neither evaluated nor in another stretch") {
+  Talk talk;
+  talk.say("for i in 0..<20000 { sphere { at: [i % 100, 0, i / 100], radius: 0.3 } }");
+  for (int i = 0; i < 30; ++i) talk.say("box { at: [" + std::to_string(i) + ", 3, 0] }");
+  const auto before = talk.session.stretches();
+  REQUIRE(before.size() == 1);
+  CHECK(before[0].end == 20000);
+  const auto objects = talk.session.counters().objects_evaluated;
+  talk.say("sphere { at: [0, 9, 0] }");
+  CHECK(talk.session.counters().objects_evaluated == objects + 1);
+  const auto after = talk.session.stretches();
+  REQUIRE(after.size() == 1);
+  CHECK(after[0].stamp == before[0].stamp);
+  CHECK(talk.count() == 20031);
+}
+
+TEST_CASE("session: things are listed with name, kind and place") {
+  Talk talk;
+  talk.say("ball = sphere {}");
+  talk.say("ball { at: [1, 2, 3] }");
+  talk.say("def table() { box {} }");
+  talk.say("table");
+  talk.say("for i in 0..2 { sphere { name: \"bead\" } }");
+  talk.say("plane {}");
+  talk.say("sun { direction: [0, -1, 0] }");
+  const auto listed = talk.session.objects();
+  REQUIRE(listed.size() == 5);
+  CHECK(listed[0].name == "ball");
+  CHECK(listed[0].kind == "sphere");
+  CHECK(listed[0].place == "around [1, 2, 3]");
+  CHECK(listed[1].kind == "table");
+  CHECK(listed[2].name == "bead");
+  CHECK(listed[2].count == 3);
+  CHECK(listed[3].place == "endless");
+  CHECK(listed[4].kind == "sun");
+}
+
+TEST_CASE("session: random inputs leave a document that says the same when it is loaded") {
+  // The session after any sequence of inputs is what its text says.
+  std::uint64_t state = 12345;
+  const auto next = [&state](std::uint64_t n) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (state >> 33) % n;
+  };
+  const std::vector<std::string> names{"a", "b", "c", "d"};
+  for (int round = 0; round < 20; ++round) {
+    Session session(".");
+    for (int step = 0; step < 25; ++step) {
+      const std::string& name = names[next(4)];
+      const std::string& other = names[next(4)];
+      switch (next(9)) {
+      case 0: session.submit(name + " = " + std::to_string(next(9) + 1)); break;
+      case 1: session.submit(name + " = " + other + " + 1"); break;
+      case 2: session.submit("sphere { radius: 0.1 * " + name + ", at: [" + std::to_string(next(5)) + ", 0, 0] }"); break;
+      case 3: session.submit("fn f(x) = x + " + std::to_string(next(5))); break;
+      case 4: session.submit(name + " = f(" + other + ")"); break;
+      case 5: session.undo(); break;
+      case 6: session.submit(".move(y: 0.5)"); break;
+      case 7: session.remove(name); break;
+      case 8: session.submit("def thing(n = 1) { box { size: n * " + other + " / 9 } }\nthing { at: [0, 0, -2] }"); break;
+      }
+    }
+    const std::string text = session.text();
+    INFO(text);
+    const rt::lang::Loaded loaded = rt::lang::load_text(text, "document", ".", {});
+    for (const rt::lang::Diagnostic& d : loaded.diagnostics) UNSCOPED_INFO(rt::lang::render(d, loaded.sources, false));
+    REQUIRE(loaded.scene);
+    CHECK(loaded.scene->objects.size() == session.scene().objects.size());
+    CHECK(are_equal(picture(*loaded.scene), picture(session.scene())));
+  }
+}

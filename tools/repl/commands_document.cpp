@@ -1,0 +1,157 @@
+#include "renderer/image/file.hpp"
+#include "tools/repl/commands.hpp"
+#include "tools/repl/shell.hpp"
+#include "tools/repl/swatch.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace rt::tools {
+namespace {
+
+std::optional<std::size_t> version_number_of(Shell& shell, std::string_view text) {
+  std::size_t number = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && number < shell.session().versions().size())
+    return number;
+  shell.fail(fmt::format("`{}` is not one of the numbers that :history shows", text));
+  return std::nullopt;
+}
+
+bool list(Shell& shell, std::string_view) {
+  const std::vector<lang::ListedObject> objects = shell.session().objects();
+  if (objects.empty()) {
+    shell.print("nothing is in the scene\n");
+    return true;
+  }
+  std::size_t name_width = 4, kind_width = 4;
+  for (const lang::ListedObject& object : objects) {
+    name_width = std::max(name_width, object.name.size());
+    kind_width = std::max(kind_width, object.kind.size());
+  }
+  std::string text;
+  for (const lang::ListedObject& object : objects) {
+    const std::string times = object.count > 1 ? fmt::format("  (and {} more)", object.count - 1) : "";
+    text += fmt::format("{:<{}}  {:<{}}  {}{}\n", object.name.empty() ? "-" : object.name, name_width, object.kind,
+                        kind_width, object.place, times);
+  }
+  shell.print(text);
+  return true;
+}
+
+bool set(Shell& shell, std::string_view arguments) {
+  const std::size_t space = arguments.find_first_of(" \t\n");
+  if (space == std::string_view::npos) return shell.fail("as in `:set ball.radius 2`");
+  return shell.report(shell.session().set(arguments.substr(0, space), trimmed(arguments.substr(space))));
+}
+
+bool remove(Shell& shell, std::string_view arguments) {
+  if (arguments.empty()) return shell.fail("as in `:remove ball`");
+  return shell.report(shell.session().remove(arguments));
+}
+
+std::string where(const Shell& shell, lang::Session& session) {
+  const lang::SessionVersion& version = session.versions()[session.version()];
+  return dim(fmt::format("at {}: {}", session.version(), version.description.empty() ? "nothing" : version.description),
+             shell.output().uses_color) +
+         "\n";
+}
+
+bool undo(Shell& shell, std::string_view) {
+  if (!shell.session().undo()) return shell.fail("there is nothing to undo");
+  shell.print(where(shell, shell.session()));
+  return true;
+}
+
+bool redo(Shell& shell, std::string_view) {
+  if (!shell.session().redo()) return shell.fail("there is nothing to redo");
+  shell.print(where(shell, shell.session()));
+  return true;
+}
+
+bool history(Shell& shell, std::string_view) {
+  const auto& versions = shell.session().versions();
+  std::string text;
+  for (std::size_t i = 0; i < versions.size(); ++i) {
+    const bool is_sequel = i == 0 || versions[i].parent + 1 == i;
+    text += fmt::format("{} {:>3}  {}{}\n", i == shell.session().version() ? '>' : ' ', i,
+                        versions[i].description.empty() ? "(nothing)" : versions[i].description,
+                        is_sequel ? "" : fmt::format("   (from {})", versions[i].parent));
+  }
+  shell.print(text);
+  return true;
+}
+
+bool at(Shell& shell, std::string_view arguments) {
+  const auto version = version_number_of(shell, arguments);
+  if (!version) return false;
+  shell.session().go_to(*version);
+  shell.print(where(shell, shell.session()));
+  return true;
+}
+
+bool diff(Shell& shell, std::string_view arguments) {
+  const std::vector<std::string> words = words_of(arguments);
+  if (words.empty() || words.size() > 2) return shell.fail("as in `:diff 2 5`, with numbers that :history shows");
+  const auto from = version_number_of(shell, words[0]);
+  const auto to = words.size() == 2 ? version_number_of(shell, words[1]) : std::optional(shell.session().version());
+  if (!from || !to) return false;
+  const std::string text = shell.session().diff(*from, *to);
+  shell.print(text.empty() ? "no difference\n" : text);
+  return true;
+}
+
+bool load(Shell& shell, std::string_view arguments) {
+  const std::vector<std::string> words = words_of(arguments);
+  if (words.size() != 1) return shell.fail("as in `:load scene.rtl`");
+  try {
+    if (!shell.report(shell.session().load(words[0]))) return false;
+  } catch (const std::system_error& error) {
+    return shell.fail(error.what());
+  }
+  shell.became_saved(words[0]);
+  return true;
+}
+
+bool save(Shell& shell, std::string_view arguments) {
+  const std::vector<std::string> words = words_of(arguments);
+  if (words.size() > 1) return shell.fail("as in `:save scene.rtl`");
+  std::string path = words.empty() ? shell.path() : words[0];
+  if (path.empty()) return shell.fail("under which name? As in `:save scene.rtl`");
+  if (!words.empty() && path.find('.', path.rfind('/') + 1) == std::string::npos) path += ".rtl";
+  try {
+    replace_file(path, shell.session().formatted());
+  } catch (const std::system_error& error) {
+    return shell.fail(error.what());
+  }
+  shell.became_saved(path);
+  shell.print(dim(fmt::format("saved as {}", path), shell.output().uses_color) + "\n");
+  return true;
+}
+
+bool reset(Shell& shell, std::string_view) { return shell.report(shell.session().reset()); }
+
+} // namespace
+
+std::span<const ShellCommand> document_commands() {
+  static constexpr ShellCommand table[] = {
+      {"list", "", "the things in the scene: name, kind, place", ArgumentKind::none, list},
+      {"set", "NAME.PROP VALUE", "changes a property of a thing with a name", ArgumentKind::property, set},
+      {"remove", "NAME", "takes out a thing or a name that nothing else uses", ArgumentKind::thing, remove},
+      {"undo", "", "takes back the last change", ArgumentKind::none, undo},
+      {"redo", "", "takes back an undo", ArgumentKind::none, redo},
+      {"history", "", "all states of the scene, with their numbers", ArgumentKind::none, history},
+      {"at", "N", "goes to one of them", ArgumentKind::none, at},
+      {"diff", "N [M]", "what changed from one to another", ArgumentKind::none, diff},
+      {"load", "FILE", "goes on with a scene file", ArgumentKind::file, load},
+      {"save", "[FILE]", "writes the scene as a formatted file", ArgumentKind::file, save},
+      {"reset", "", "begins anew (:undo takes it back)", ArgumentKind::none, reset},
+  };
+  return table;
+}
+
+} // namespace rt::tools

@@ -1,0 +1,47 @@
+#include "tools/repl/commands.hpp"
+#include "tools/repl/shell.hpp"
+
+#include <fmt/format.h>
+
+namespace rt::tools {
+namespace {
+
+bool help(Shell& shell, std::string_view arguments) {
+  const std::vector<ShellCommand> commands = shell_commands();
+  if (!arguments.empty()) {
+    if (arguments.front() == ':') arguments.remove_prefix(1);
+    const CommandChoice choice = choose_command(arguments, commands);
+    if (!choice.command) return shell.fail(choice.problem);
+    shell.print(fmt::format(":{} {}\n  {}\n", choice.command->name, choice.command->arguments, choice.command->summary));
+    return true;
+  }
+  std::string text = "Type a thing and it is in the scene; type a name, and see its value. `.move(x: 1)` changes the last\n"
+                     "thing; a name that is bound again changes everything that uses it. Commands, which may be shortened:\n";
+  for (const ShellCommand& command : commands) {
+    const std::string usage = fmt::format(":{} {}", command.name, command.arguments);
+    text += fmt::format("  {:<24} {}\n", usage, command.summary);
+  }
+  text += "Tab completes, the arrows bring back what was typed, Ctrl-C clears the line or stops a picture.\n";
+  shell.print(text);
+  return true;
+}
+
+bool recover(Shell& shell, std::string_view) { return shell.recover(); }
+
+bool quit(Shell& shell, std::string_view) {
+  shell.quit();
+  return true;
+}
+
+} // namespace
+
+std::span<const ShellCommand> general_commands() {
+  static constexpr ShellCommand table[] = {
+      {"recover", "", "brings back the last session that was not saved", ArgumentKind::none, recover},
+      {"help", "[COMMAND]", "lists the commands", ArgumentKind::command, help},
+      {"quit", "", "ends the session", ArgumentKind::none, quit},
+  };
+  return table;
+}
+
+} // namespace rt::tools

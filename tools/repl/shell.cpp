@@ -1,0 +1,118 @@
+#include "tools/repl/shell.hpp"
+
+#include "renderer/math/color.hpp"
+#include "tools/repl/commands.hpp"
+#include "tools/repl/swatch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace rt::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+} // namespace
+
+Shell::Shell(const ShellOptions& options, ShellOutput output)
+    : options_(options), output_(std::move(output)), session_(options.folder, options.load),
+      printer_(options.is_interactive), journal_(options.journal_folder),
+      abandoned_(find_abandoned_session(options.journal_folder)) {}
+
+bool Shell::fail(std::string_view text) const {
+  output_.complain(fmt::format("{}\n", text));
+  return false;
+}
+
+bool Shell::run(std::string_view input) {
+  const Clock::time_point start = Clock::now();
+  bool is_fine = true;
+  if (is_command(input)) {
+    const CommandLine line = split_command(input);
+    const std::vector<ShellCommand> commands = shell_commands();
+    const CommandChoice choice = choose_command(line.word, commands);
+    is_fine = choice.command ? choice.command->run(*this, line.arguments) : fail(choice.problem);
+  } else {
+    is_fine = run_statements(input);
+  }
+  last_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+  remember(input);
+  return is_fine;
+}
+
+bool Shell::run_statements(std::string_view input) {
+  if (trimmed(input).empty()) return true;
+  return report(session_.submit(input));
+}
+
+// The journal holds the inputs that changed the document, which lead to it again.
+void Shell::remember(std::string_view input) {
+  if (session_.version() == journaled_version_) return;
+  has_changed_ = true;
+  journal_.add(trimmed(input));
+  journaled_version_ = session_.version();
+}
+
+Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>* stop,
+                       std::function<void(const Progress&)> on_progress) {
+  const scene::Scene& scene = session_.scene();
+  if (!traceable_ || traced_version_ != session_.version()) {
+    std::vector<Part> parts;
+    for (const lang::SceneStretch& stretch : session_.stretches()) parts.push_back({stretch.begin, stretch.end, stretch.stamp});
+    traceable_.reset();
+    traceable_.emplace(scene, parts, cache_);
+    traced_version_ = session_.version();
+  }
+  RenderOptions options;
+  options.layers = settings.layers;
+  options.stop = stop;
+  options.on_progress = std::move(on_progress);
+  return rt::render(*traceable_, {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
+                    options);
+}
+
+bool Shell::report(const lang::SessionResult& result) {
+  std::string told;
+  for (const lang::Diagnostic& diagnostic : result.diagnostics)
+    told += lang::render(diagnostic, session_.sources(), output_.uses_color);
+  if (!told.empty()) output_.complain(told);
+  std::string answer;
+  for (const lang::PrintedValue& value : result.values) {
+    if (value.color && output_.uses_color) answer += swatch(*value.color) + " ";
+    answer += value.text + "\n";
+  }
+  if (options_.is_interactive)
+    for (const std::string& change : result.changes) answer += dim(change, output_.uses_color) + "\n";
+  if (!answer.empty()) print(answer);
+  return result.is_accepted;
+}
+
+void Shell::became_saved(const std::string& path) {
+  path_ = path;
+  saved_version_ = session_.version();
+  journal_.clear(fmt::format(":load \"{}\"", std::filesystem::absolute(path).string()));
+  journaled_version_ = saved_version_;
+  has_changed_ = true;
+}
+
+bool Shell::recover() {
+  if (!abandoned_) return fail("there is no session to recover");
+  const AbandonedSession session = *abandoned_;
+  abandoned_.reset();
+  std::error_code error;
+  std::filesystem::current_path(session.working_folder, error);
+  for (const std::string& entry : session.entries)
+    if (!run(entry))
+      return fail(fmt::format("the session goes on from what came before; all of it is in {}", session.path));
+  std::filesystem::remove(session.path, error);
+  return true;
+}
+
+void Shell::close() {
+  if (!has_unsaved_changes()) journal_.clear();
+}
+
+} // namespace rt::tools

@@ -64,9 +64,11 @@ void Ast::become(const Repeat& repeat, std::uint32_t i) {
   const double* next = constants.data() + repeat.first_number + std::size_t{i} * repeat.numbers_each;
   const auto model = static_cast<std::uint32_t>(repeat.model);
   for (auto n = static_cast<std::uint32_t>(repeat.model_first); n < model; ++n) {
-    const Node& node = nodes[n];
+    Node& node = nodes[n];
     if (node.kind == Kind::number) {
       set_number(NodeId{n}, *next++);
+    } else if (node.kind == Kind::color) {
+      node.a = static_cast<std::uint32_t>(*next++);
     } else if (node.kind == Kind::numbers) {
       for (std::uint32_t k = 0; k < node.b; ++k) constants[node.a + k] = *next++;
     }

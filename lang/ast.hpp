@@ -53,7 +53,7 @@ enum class Kind : std::uint8_t {
   argument,  ///< named: `symbol: value` in a call
   filter,    ///< operand: `if cond` in a comprehension
   clause,    ///< for_item without a body: `for x in xs` in a comprehension
-  repeat,    ///< repeat: further items of the same wording (see `Repeat`)
+  repeat,    ///< repeat: items of the same wording (see `Repeat`)
 };
 
 enum class Op : std::uint8_t {
@@ -97,9 +97,10 @@ struct Override { NodeId base, block; };
 struct Range { NodeId from, to, step; bool excludes_end; };
 struct Parameter { NodeId name, default_value; };
 
-/// Items that differ from an earlier item of their block, the model, in number literals alone (a million placed
-/// spheres), with no declaration in between: what check found out about the model holds for them. `Ast::become` turns
-/// the model into one of them.
+/// Consecutive items of a block that have the wording of one item, the model, and differ in number and colour literals
+/// alone (a million placed spheres), with no declaration between the model and them. What check found out about the model
+/// holds for all of them. `Ast::become` turns the model into one of them; the model itself stands in no block: the first of
+/// its items is in its first repeat.
 struct Repeat {
   NodeId model;
   NodeId model_first;         ///< the model's nodes are those from here to itself
@@ -107,6 +108,7 @@ struct Repeat {
   std::uint32_t numbers_each;
   std::uint32_t first_span;   ///< in `Ast::repeat_spans`
   std::uint32_t count;
+  bool is_first;              ///< of the repeats of this model
 };
 
 /// The syntax tree of one file: an arena of flat arrays. Children come before their parent, and the root (a block, or an

@@ -40,47 +40,21 @@ std::uint8_t precedence_of(Op op) {
 
 } // namespace
 
-AstBuilder::Snapshot AstBuilder::snapshot() const {
-  return {ast_.nodes.size(),   ast_.links.size(), ast_.constants.size(), ast_.strings.size(), ast_.repeats.size(),
-          ast_.repeat_spans.size(), operands_.size(),  marks_.size(),         operators_.size(),   frames_.size()};
-}
-
-void AstBuilder::restore(const Snapshot& s) {
+void AstBuilder::truncate_arena(const Snapshot& s) {
   ast_.nodes.resize(s.nodes, Node{});
   ast_.links.resize(s.links);
   ast_.constants.resize(s.constants);
   ast_.strings.resize(s.strings);
+}
+
+void AstBuilder::restore(const Snapshot& s) {
+  truncate_arena(s);
   ast_.repeats.resize(s.repeats, Repeat{});
   ast_.repeat_spans.resize(s.repeat_spans, Ast::Extent{});
   operands_.resize(s.operands, Operand{});
   marks_.resize(s.marks, Mark{});
   operators_.resize(s.operators, Operator{});
   frames_.resize(s.frames);
-}
-
-NodeId AstBuilder::add(const Node& node) {
-  ast_.nodes.push_back(node);
-  return NodeId{static_cast<std::uint32_t>(ast_.nodes.size() - 1)};
-}
-
-void AstBuilder::push(const Node& node, std::uint32_t depth) {
-  if (depth > depth_limit_) throw TooDeep{node.begin, node.end};
-  operands_.push_back({add(node), depth, node.begin, node.end});
-}
-
-AstBuilder::Operand AstBuilder::pop() {
-  const Operand operand = operands_.back();
-  operands_.pop_back();
-  return operand;
-}
-
-void AstBuilder::leaf(Kind kind, std::uint32_t begin, std::uint32_t end, std::uint32_t a, std::uint32_t b) {
-  push({kind, Op{}, 0, begin, end, a, b}, 1);
-}
-
-void AstBuilder::number(std::uint32_t begin, std::uint32_t end, double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  leaf(Kind::number, begin, end, static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32));
 }
 
 void AstBuilder::string(std::uint32_t begin, std::uint32_t end, std::string text) {
@@ -126,13 +100,6 @@ void AstBuilder::close_children(Kind kind, std::uint32_t end) {
   const std::uint32_t first_link = link(mark.operands);
   operands_.resize(mark.operands, Operand{});
   push({kind, Op{}, 0, mark.begin, end, first_link, length}, depth);
-}
-
-void AstBuilder::close_named(Kind kind) {
-  const Mark mark = marks_.back();
-  marks_.pop_back();
-  const Operand value = pop();
-  push({kind, Op{}, 0, mark.begin, value.end, raw(mark.symbol), raw(value.node)}, value.depth + 1);
 }
 
 void AstBuilder::close_pair(Kind kind, std::uint32_t end) {

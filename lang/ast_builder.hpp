@@ -2,6 +2,7 @@
 
 #include "lang/ast.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -51,6 +52,8 @@ public:
   const Ast& ast() const { return ast_; }
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
+  /// Forgets the nodes that were added since, but keeps the operands: their nodes must be replaced.
+  void truncate_arena(const Snapshot& snapshot);
 
   // Leaves
   void number(std::uint32_t begin, std::uint32_t end, double value);
@@ -95,6 +98,7 @@ public:
   Operand& top() { return operands_.back(); }
   /// Of the parts since the last `open`.
   const Operand& part(std::uint32_t i) const { return operands_[marks_.back().operands + i]; }
+  Operand& operand(std::uint32_t i) { return operands_[i]; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(operands_.size()); }
   Operand pop();
 
@@ -124,5 +128,46 @@ private:
   std::vector<Operator> operators_;
   std::vector<std::uint32_t> frames_; ///< where in `operators_` each open expression begins
 };
+
+// What is called for every literal is inline.
+
+inline AstBuilder::Snapshot AstBuilder::snapshot() const {
+  return {ast_.nodes.size(),        ast_.links.size(), ast_.constants.size(), ast_.strings.size(), ast_.repeats.size(),
+          ast_.repeat_spans.size(), operands_.size(),  marks_.size(),         operators_.size(),   frames_.size()};
+}
+
+inline NodeId AstBuilder::add(const Node& node) {
+  ast_.nodes.push_back(node);
+  return NodeId{static_cast<std::uint32_t>(ast_.nodes.size() - 1)};
+}
+
+inline void AstBuilder::push(const Node& node, std::uint32_t depth) {
+  if (depth > depth_limit_) throw TooDeep{node.begin, node.end};
+  operands_.push_back({add(node), depth, node.begin, node.end});
+}
+
+inline AstBuilder::Operand AstBuilder::pop() {
+  const Operand operand = operands_.back();
+  operands_.pop_back();
+  return operand;
+}
+
+inline void AstBuilder::leaf(Kind kind, std::uint32_t begin, std::uint32_t end, std::uint32_t a, std::uint32_t b) {
+  push({kind, Op{}, 0, begin, end, a, b}, 1);
+}
+
+inline void AstBuilder::number(std::uint32_t begin, std::uint32_t end, double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  leaf(Kind::number, begin, end, static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32));
+}
+
+inline void AstBuilder::close_named(Kind kind) {
+  const Mark mark = marks_.back();
+  marks_.pop_back();
+  const Operand value = pop();
+  push({kind, Op{}, 0, mark.begin, value.end, static_cast<std::uint32_t>(mark.symbol),
+        static_cast<std::uint32_t>(value.node)},
+       value.depth + 1);
+}
 
 } // namespace rt::lang

@@ -135,7 +135,7 @@ struct recovered {
     const ParseState::Checkpoint checkpoint = state.begin_item(begin);
     try {
       (void)Control<required<Rule>>::template match<A, M, Action, Control>(in, state);
-      state.end_item(checkpoint);
+      state.finish_item(checkpoint);
     } catch (const SyntaxError& error) {
       if (error.is_fatal) throw;
       in.iterator() = in.begin() + state.replace_item(checkpoint, begin, error);
@@ -157,8 +157,9 @@ struct line_comment : seq<string<'/', '/'>, until<at<sor<newline, eof>>>> {};
 struct comment_rest : until<string<'*', '/'>> {};
 struct block_comment : seq<string<'/', '*'>, required<comment_rest>> {};
 struct comment : seq<at<one<'/', '#'>>, sor<line_comment, block_comment, hash_comment>> {};
-struct narrow_gap : star<sor<blank, comment>> {};
-struct wide_gap : star<sor<blank, newline, comment>> {};
+// Comments are rare: what is blank goes first.
+struct narrow_gap : seq<star<blank>, opt<at<one<'/', '#'>>, star<sor<comment, blank>>>> {};
+struct wide_gap : seq<star<sor<blank, newline>>, opt<at<one<'/', '#'>>, star<sor<comment, blank, newline>>>> {};
 struct gap : sor<seq<when<&ParseState::newline_is_space>, wide_gap>, narrow_gap> {};
 
 struct word : peg::identifier {};
@@ -216,14 +217,22 @@ struct filter_begin : keyword<Word::if_> {};
 struct filter : seq<filter_begin, wide_gap, required<expression>> {};
 struct comprehension_rest : seq<clause, star<wide_gap, sor<clause, filter>>> {};
 
+// What stands for itself, for speed: most values are numbers and names with nothing behind them. All of it could be parsed
+// as an expression, to the same effect.
+struct plain_number_text
+    : seq<opt<one<'-'>>, digits, opt<fraction>, opt<exponent>, not_at<sor<peg::identifier_other, one<'.'>>>> {};
+struct plain_number : seq<plain_number_text, star<blank>, at<one<',', ']', '}', '\n', ';'>>> {};
+struct plain_name : seq<plain_word, star<blank>, at<one<',', ']', '}', ';'>>> {};
+struct value : sor<plain_number, plain_name, expression> {};
+
 /// What follows may stand on the next line, if that line does not look like an item of its own.
 struct next_line : seq<newlines, not_at<item_here>> {};
 struct value_gap : seq<narrow_gap, opt<at<newline>, required<next_line>>> {};
 
 struct list_begin : at<one<'['>> {};
-struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<when<&ParseState::follows_line>, item_here>, not_at<eof>, required<expression>> {};
+struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<when<&ParseState::follows_line>, item_here>, not_at<eof>, required<value>> {};
 struct list_content
-    : seq<wide_gap, opt<not_at<one<']'>>, required<expression>, sor<seq<wide_gap, comprehension_rest>, more_elements>,
+    : seq<wide_gap, opt<not_at<one<']'>>, required<value>, sor<seq<wide_gap, comprehension_rest>, more_elements>,
                         opt<separator, at<one<']'>>>>> {};
 struct list : seq<list_begin, bracketed<'[', ']', list_content>> {};
 
@@ -332,9 +341,9 @@ struct param_item
 
 struct foreign_variable : seq<is<Word::foreign_variable>, at<gap, peg::identifier, gap, equals>> {}; // an error
 struct property_colon : colon {};
-struct property_item : seq<property_colon, value_gap, required<expression>> {};
+struct property_item : seq<property_colon, value_gap, required<value>> {};
 struct bind_sign : equals {};
-struct bind_item : seq<bind_sign, value_gap, required<expression>> {};
+struct bind_item : seq<bind_sign, value_gap, required<value>> {};
 struct name_first : success {};
 /// An expression whose first word, a name, has been read.
 struct named_expression : seq<name_first, suffixes, operators_rest, operators_end> {};
@@ -342,10 +351,10 @@ struct named_item
     : seq<opt<foreign_variable, gap, word>, when<&ParseState::word_is_plain>, gap,
           sor<property_item, bind_item, named_expression>> {};
 
-/// Where a later kind of item begins with a word of its own, it joins this list.
-struct word_item
-    : seq<word, sor<for_item, def_item, fn_item, include_item, use_item, param_item, foreign_function_item,
-                    named_item>> {};
+/// Where a later kind of item begins with a word of its own, it joins the first list.
+struct reserved_item
+    : seq<when<&ParseState::word_is_reserved>, sor<for_item, def_item, fn_item, include_item, use_item, param_item>> {};
+struct word_item : seq<word, sor<reserved_item, foreign_function_item, named_item>> {};
 
 struct previous_begin : seq<when<&ParseState::may_edit_previous>, at<one<'.'>, peg::identifier_first>> {};
 struct previous_item : seq<previous_begin, plus<any_suffix>, operators_rest, operators_end> {};

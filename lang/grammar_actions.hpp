@@ -3,6 +3,8 @@
 #include "lang/grammar.hpp"
 #include "lang/literals.hpp"
 
+#include <cmath>
+
 /// What happens when a rule has matched: the tree grows. Included by parse.cpp alone.
 namespace rt::lang::grammar {
 
@@ -37,18 +39,24 @@ struct action<hash_comment> : placed<action<hash_comment>> {
 template <>
 struct action<number> : placed<action<number>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    const std::string_view text = state.text.substr(begin, end - begin);
-    const NumberLiteral literal = read_number(text);
-    double value = literal.value;
-    if (literal.length != text.size() || text[0] == '.' || value > 1e308) {
-      if (auto wrong = malformed_number(state.span(begin, end), text, literal.length, value)) {
-        state.report(*std::move(wrong));
-      } else if (literal.length != text.size()) {
-        value *= degrees_per(text.substr(literal.length));
-      }
-    }
-    state.build.number(begin, end, value);
+    state.number(begin, end);
   }
+};
+
+template <>
+struct action<plain_number> : placed<action<plain_number>> {
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
+    const bool is_negative = state.text[begin] == '-';
+    const std::uint32_t first = begin + (is_negative ? 1 : 0);
+    const NumberLiteral literal = read_number(state.text.substr(first, end - first));
+    if (std::isinf(literal.value)) return state.number(first, first + literal.length); // reports it
+    state.build.number(begin, first + literal.length, is_negative ? -literal.value : literal.value);
+  }
+};
+
+template <>
+struct action<plain_name> {
+  static void apply0(ParseState& state) { state.build.name(state.last.begin, state.last.end, state.symbol()); }
 };
 
 template <>
@@ -172,7 +180,7 @@ struct ends_here : placed<ends_here<Rule>> {
 };
 
 struct closes_block {
-  static void close(ParseState& state, std::uint32_t end) { state.build.close_children(Kind::block, end); }
+  static void close(ParseState& state, std::uint32_t end) { state.close_block(end); }
 };
 struct closes_list {
   static void close(ParseState& state, std::uint32_t end) { state.close_list(end); }
@@ -325,7 +333,7 @@ struct action<else_on_new_line> : placed<action<else_on_new_line>> {
 
 template <>
 struct action<items_begin> {
-  static void apply0(ParseState& state) { state.separator(false); }
+  static void apply0(ParseState& state) { state.begin_items(); }
 };
 template <>
 struct action<foreign_variable> : placed<action<foreign_variable>> {

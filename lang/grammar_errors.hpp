@@ -19,6 +19,7 @@ template <> constexpr Expected expected<item>() { return Expected::item; }
 template <> constexpr Expected expected<item_end>() { return Expected::item_end; }
 template <> constexpr Expected expected<line_not_led_by_sign>() { return Expected::line_not_led_by_sign; }
 template <> constexpr Expected expected<expression>() { return Expected::expression; }
+template <> constexpr Expected expected<value>() { return Expected::expression; }
 template <> constexpr Expected expected<operand>() { return Expected::expression; }
 template <> constexpr Expected expected<operand_rest>() { return Expected::expression; }
 template <> constexpr Expected expected<next_line>() { return Expected::expression; }

@@ -16,9 +16,13 @@ constexpr std::uint32_t tree_depth = 2'000;    // of operators in a row, as a | 
 } // namespace
 
 ParseState::ParseState(const SourceMap& sources, FileId source, SymbolTable& table, const ParseOptions& parse_options, Ast& ast)
-    : text(sources.file(source).text), file(source), symbols(table), options(parse_options), build(ast, tree_depth) {
+    : text(sources.file(source).text), file(source), symbols(table), options(parse_options), build(ast, tree_depth),
+      folder_(build) {
   ast.file = source;
-  ast.nodes.reserve(text.size() / 8 + 64); // pages that stay untouched cost nothing
+  // Enough for most texts; pages that stay untouched cost nothing.
+  ast.nodes.reserve(text.size() / 8 + 64);
+  ast.constants.reserve(text.size() / 16 + 64);
+  ast.repeat_spans.reserve(text.size() / 64 + 64);
 }
 
 void ParseState::read_word(std::uint32_t begin, std::uint32_t end) {
@@ -103,6 +107,19 @@ void ParseState::fail(Expected expected, std::uint32_t at) {
   throw SyntaxError{resume_after(text, at, diagnostics.back().code), expected == Expected::comment_end};
 }
 
+// With a unit, perhaps with a mistake.
+void ParseState::number(std::uint32_t begin, std::uint32_t end) {
+  const std::string_view literal_text = text.substr(begin, end - begin);
+  const NumberLiteral literal = read_number(literal_text);
+  double value = literal.value;
+  if (auto wrong = malformed_number(span(begin, end), literal_text, literal.length, value)) {
+    report(*std::move(wrong));
+  } else if (literal.length != literal_text.size()) {
+    value *= degrees_per(literal_text.substr(literal.length));
+  }
+  build.number(begin, end, value);
+}
+
 void ParseState::color(std::uint32_t begin, std::uint32_t end) {
   const std::string_view literal = text.substr(begin, end - begin);
   const std::string_view digits = literal.substr(1);
@@ -158,12 +175,23 @@ void ParseState::infix_word(std::uint32_t begin, std::uint32_t end) {
   complain(complaint, begin, end);
 }
 
+void ParseState::begin_items() {
+  follows_line_ = false;
+  folder_.open_block();
+}
+
+void ParseState::close_block(std::uint32_t end) {
+  folder_.close_block();
+  build.close_children(Kind::block, end);
+}
+
 void ParseState::close_list(std::uint32_t end) {
   if (build.mark().symbol == comprehension_mark) return build.close_counted(Kind::comprehension, end, 1);
   build.close_children(Kind::list, end);
 }
 
 void ParseState::close_record(std::uint32_t end) {
+  folder_.close_block();
   Ast& ast = build.ast();
   for (std::uint32_t i = 0; i < build.parts(); ++i) {
     Node& node = ast[build.part(i).node];
@@ -202,13 +230,19 @@ void ParseState::fail_at_end() {
 }
 
 ParseState::Checkpoint ParseState::begin_item(std::uint32_t at) {
-  const Checkpoint checkpoint{build.snapshot(), open_.size(), {newline_is_space_, block_may_follow_}, depth_, item_, item_follows_line_};
+  const Checkpoint checkpoint{build.snapshot(), open_.size(),     {newline_is_space_, block_may_follow_}, depth_,
+                              folder_.depth(),  item_,            item_follows_line_};
   item_ = at;
   item_follows_line_ = follows_line_;
   return checkpoint;
 }
 
-void ParseState::end_item(const Checkpoint& checkpoint) {
+void ParseState::finish_item(const Checkpoint& checkpoint) {
+  leave_item(checkpoint);
+  if (options.folds_repeats) folder_.finish_item(checkpoint.build);
+}
+
+void ParseState::leave_item(const Checkpoint& checkpoint) {
   item_ = checkpoint.item;
   item_follows_line_ = checkpoint.follows_line;
 }
@@ -222,7 +256,8 @@ std::uint32_t ParseState::replace_item(const Checkpoint& checkpoint, std::uint32
   newline_is_space_ = checkpoint.modes.newline_is_space;
   block_may_follow_ = checkpoint.modes.block_may_follow;
   depth_ = checkpoint.depth;
-  end_item(checkpoint);
+  leave_item(checkpoint);
+  folder_.restore(checkpoint.blocks);
   const std::string_view name = declared_name(text, begin);
   const Symbol symbol = name.empty() ? no_symbol : symbols.intern(name);
   build.leaf(Kind::error, begin, end, static_cast<std::uint32_t>(symbol));

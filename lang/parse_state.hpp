@@ -2,6 +2,7 @@
 
 #include "lang/ast_builder.hpp"
 #include "lang/parse.hpp"
+#include "lang/repeat_folder.hpp"
 #include "lang/syntax_errors.hpp"
 #include "lang/words.hpp"
 
@@ -47,12 +48,14 @@ public:
   bool brace_may_be_misplaced() const { return block_may_follow_ && (open_.empty() || open_.back().bracket != '['); }
   bool is_in_braces() const { return !open_.empty(); }
   bool word_is_plain() const { return !is_reserved(last.word); }
+  bool word_is_reserved() const { return is_reserved(last.word); }
   bool word_is_primary() const;
   bool word_is_infix() const { return last.word == Word::and_ || last.word == Word::or_ || last.word == Word::by_; }
   bool may_edit_previous() const { return options.is_session && build.count() == 0 && open_.empty(); }
   bool follows_line() const { return follows_line_; }
 
   // What the grammar tells
+  void begin_items();
   void separator(bool is_newline) { follows_line_ = is_newline; }
   struct Modes {
     bool newline_is_space, block_may_follow;
@@ -68,10 +71,12 @@ public:
   void shallower() { --depth_; }
 
   // Literals, operators and constructs whose parts need a second look
+  void number(std::uint32_t begin, std::uint32_t end);
   void color(std::uint32_t begin, std::uint32_t end);
   void foreign_prefix(std::uint32_t begin, std::uint32_t end);
   void infix_symbol(std::uint32_t begin, std::uint32_t end);
   void infix_word(std::uint32_t begin, std::uint32_t end);
+  void close_block(std::uint32_t end);
   void close_list(std::uint32_t end);
   void close_record(std::uint32_t end);
   void close_if(std::uint32_t end);
@@ -89,11 +94,12 @@ public:
     std::size_t open;
     Modes modes;
     int depth;
+    std::size_t blocks;
     std::uint32_t item;
     bool follows_line;
   };
   Checkpoint begin_item(std::uint32_t at);
-  void end_item(const Checkpoint& checkpoint);
+  void finish_item(const Checkpoint& checkpoint);
   /// Puts an error node in the place of the item; gives where to go on.
   std::uint32_t replace_item(const Checkpoint& checkpoint, std::uint32_t begin, const SyntaxError& error);
   void too_deep(std::uint32_t begin, std::uint32_t end);
@@ -101,8 +107,10 @@ public:
 private:
   SyntaxPlace place(std::uint32_t at) const { return {text, file, at, item_, item_follows_line_, open_}; }
   [[noreturn]] void fail_at_end();
+  void leave_item(const Checkpoint& checkpoint);
   bool begins_foreign_vector(std::uint32_t at) const;
 
+  RepeatFolder folder_;
   std::vector<OpenBracket> open_;
   bool newline_is_space_ = false;
   bool block_may_follow_ = true;

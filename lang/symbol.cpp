@@ -1,13 +1,35 @@
 #include "lang/symbol.hpp"
 
+#include <cstring>
+
 namespace rt::lang {
 
 namespace {
 
+std::uint64_t load(const char* at, std::size_t bytes) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, at, bytes);
+  return word;
+}
+
+// Names are short: two loads that overlap cover 4 to 16 bytes, and only longer ones take a loop.
 std::uint32_t hash_of(std::string_view name) {
-  std::uint32_t hash = 2166136261u; // FNV-1a
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  return hash ^ (hash >> 15);
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15u; // 2^64 divided by the golden ratio
+  const char* const text = name.data();
+  const std::size_t size = name.size();
+  std::uint64_t first = 0, last = 0;
+  if (size >= 8) {
+    for (std::size_t at = 0; at + 8 < size; at += 8) first = (first ^ load(text + at, 8)) * factor;
+    last = load(text + size - 8, 8);
+  } else if (size >= 4) {
+    first = load(text, 4);
+    last = load(text + size - 4, 4);
+  } else if (size > 0) {
+    first = static_cast<unsigned char>(text[0]);
+    last = static_cast<unsigned char>(text[size / 2]) | static_cast<std::uint64_t>(text[size - 1]) << 8;
+  }
+  const std::uint64_t mixed = (first ^ (last << 29) ^ (last >> 35) ^ size) * factor;
+  return static_cast<std::uint32_t>(mixed >> 32);
 }
 
 } // namespace

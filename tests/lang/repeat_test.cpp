@@ -1,0 +1,138 @@
+#include "tests/lang/parsing.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace rt::lang;
+using rt::lang::testing::parse_text;
+using rt::lang::testing::shape;
+using rt::lang::testing::Text;
+
+namespace {
+
+const ParseOptions folding{.folds_repeats = true};
+
+/// The items of the file's block one by one, and where each stands in the text.
+struct Items {
+  std::vector<std::string> shapes;
+  std::vector<std::string> texts;
+  std::size_t repeats = 0;
+};
+
+Items items(Text& text) {
+  Items out;
+  Ast& ast = text.parsed.ast;
+  const auto add = [&](NodeId id) {
+    out.shapes.push_back(shape(ast, text.symbols, id));
+    out.texts.emplace_back(text.sources.text(ast.span(id)));
+  };
+  const NodeList children = ast.children(ast.root);
+  for (const NodeId id : std::vector<NodeId>(children.begin(), children.end())) {
+    if (ast.kind(id) != Kind::repeat) {
+      add(id);
+      continue;
+    }
+    ++out.repeats;
+    const Repeat repeat = ast.repeat(id);
+    for (std::uint32_t i = 0; i < repeat.count; ++i) {
+      ast.become(repeat, i);
+      add(repeat.model);
+    }
+  }
+  return out;
+}
+
+/// Folding must not change what a text says; gives the number of repeats.
+std::size_t check_folding(const std::string& scene) {
+  Text plain = parse_text(scene), folded = parse_text(scene, folding);
+  CHECK(plain.codes() == folded.codes());
+  const Items expected = items(plain), found = items(folded);
+  CHECK(expected.shapes == found.shapes);
+  CHECK(expected.texts == found.texts);
+  CHECK(expected.repeats == 0);
+  const Items again = items(folded); // `become` may be called in any order, any number of times
+  CHECK(expected.shapes == again.shapes);
+  return found.repeats;
+}
+
+std::string spheres(int count, std::string_view rest = "") {
+  std::string out;
+  for (int i = 0; i < count; ++i) {
+    out += "sphere { at: [" + std::to_string(i) + ", -0.5, 1e-3], radius: " + std::to_string(i) + ".25" + std::string(rest) + " }\n";
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("repeats: items of the same wording share one tree, and say what they said") {
+  CHECK(check_folding(spheres(1000)) == 1);
+  CHECK(check_folding(spheres(1000, ", material: red")) == 1);
+  CHECK(check_folding(spheres(100, ", material: material { color: #123 }")) == 1);
+  CHECK(check_folding(spheres(100, ", name: \"ball\"")) == 1);
+  const Text text = parse_text(spheres(1000), folding);
+  CHECK(text.ast().nodes.size() < 200);
+  CHECK(text.ast().repeats[0].is_first);
+  CHECK(text.ast().repeats[0].numbers_each == 4);
+}
+
+TEST_CASE("repeats: colours vary as numbers do") {
+  std::string scene;
+  for (int i = 0; i < 200; ++i) {
+    scene += "box { size: " + std::to_string(i) + ", material: #" + std::to_string(100 + i) + " }\n";
+  }
+  CHECK(check_folding(scene) == 1);
+}
+
+TEST_CASE("repeats: wordings may take turns") {
+  std::string scene;
+  std::mt19937 random(3);
+  const char* const materials[] = {"red", "green", "blue"};
+  for (int i = 0; i < 300; ++i) {
+    scene += "sphere { radius: " + std::to_string(i) + ", material: " + materials[random() % 3] + " }\n";
+    if (i % 7 == 0) scene += "box { size: [1, 2, " + std::to_string(i) + "] }.rotate(y: 30)\n";
+  }
+  CHECK(check_folding(scene) > 100);
+}
+
+TEST_CASE("repeats: other words, other operators, other lengths and other strings are other items") {
+  CHECK(check_folding(spheres(20) + "sphere { at: [1, 2], radius: 1 }\nsphere { at: [1, 2, 3], radius: 1 }\n") == 2);
+  CHECK(check_folding(spheres(20) + "sphere { radius: 1, at: [1, 2, 3] }\n") == 1);
+  std::string named;
+  for (int i = 0; i < 200; ++i) named += "sphere { name: \"s" + std::to_string(i) + "\", radius: 1 }\n";
+  CHECK(check_folding(named) == 0);
+  std::string sums;
+  for (int i = 0; i < 40; ++i) sums += std::string("sphere { radius: 1 ") + (i % 2 == 0 ? "+" : "*") + " x }\n";
+  CHECK(check_folding(sums) > 2);
+}
+
+TEST_CASE("repeats: a declaration ends what can be repeated, because names may mean something else behind it") {
+  const std::string declared = spheres(20, ", material: red") + "red = blue\n" + spheres(20, ", material: red");
+  CHECK(check_folding(declared) == 2);
+  const Text text = parse_text(declared, folding);
+  REQUIRE(text.ast().repeats.size() == 2);
+  CHECK(text.ast().repeats[0].model != text.ast().repeats[1].model);
+  CHECK(check_folding(spheres(20) + "x = = 1\n" + spheres(20)) == 2); // even a broken one
+}
+
+TEST_CASE("repeats: what has a scope or binds names is never shared") {
+  std::string scene;
+  for (int i = 0; i < 40; ++i) scene += "group { r = " + std::to_string(i) + "; sphere { radius: r } }\n";
+  for (int i = 0; i < 40; ++i) scene += "sphere { points: [x * " + std::to_string(i) + " for x in 0..3] }\n";
+  CHECK(check_folding(scene) == 0);
+}
+
+TEST_CASE("repeats: short blocks stay as they are, long ones within a thing are folded too") {
+  CHECK(check_folding(spheres(10)) == 0);
+  const Text text = parse_text("union {\n" + spheres(500) + "}\ngroup {\n" + spheres(3) + "}\n", folding);
+  CHECK(text.codes().empty());
+  CHECK(text.ast().repeats.size() == 1);
+  CHECK(text.ast().repeats[0].count > 480);
+}
+
+TEST_CASE("repeats: errors in the middle are found and cost only their item") {
+  const std::string scene = spheres(30) + "sphere { radius 1 }\n" + spheres(30) + "sphere { radius: }\n" + spheres(30);
+  CHECK(parse_text(scene, folding).codes() == std::vector<std::string>{"E0102", "E0101"});
+  check_folding(scene);
+}

@@ -157,7 +157,9 @@ void Checker::check_item(Unit& unit, NodeId item) {
   case Kind::if_: return check_if_item(unit, item);
   case Kind::bind: return check_bind(unit, item);
   case Kind::property: return check_property(unit, item);
-  case Kind::repeat: return; // like its model
+  case Kind::repeat:
+    if (ast.repeat(item).is_first) check_item(unit, ast.repeat(item).model); // the others are like it
+    return;
   default: check_expression(unit, item);
   }
 }

@@ -24,8 +24,8 @@ void InspectQuery::add_hit(const Boundary& hit, std::uint32_t index, const LeafK
   hits->push_back({hit.t, hit.shape_part, index, hit.operand, hit.is_flipped, &kind, leaves, &assembly, base});
 }
 
-void InspectQuery::add_around(std::uint32_t slot, StyleId medium) {
-  if (!styles.is_opaque(medium)) around->push_back({base + assembly.order(slot), styles.ior(medium)});
+void InspectQuery::add_around(std::uint32_t slot, double ior) {
+  around->push_back({base + assembly.order(slot), ior});
 }
 
 void Assembly::nearest(NearestQuery& query) const {

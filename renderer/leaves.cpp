@@ -76,13 +76,13 @@ bool SolidLeaves::inspect(std::uint32_t i, InspectQuery& query) const {
       if (query.interval.contains(b.t)) query.add_hit(b, i, leaf_kind<SolidLeaves>, this);
   }
   if (query.around && leaf.solid->contains(ray.origin))
-    query.add_around(tags_[i].slot, medium(i, query.styles, query.resolved(tags_[i].style_id())));
+    query.add_around(tags_[i].slot, ior(i, query.styles, query.resolved(tags_[i].style_id())));
   return false;
 }
 
-StyleId SolidLeaves::medium(std::uint32_t i, const Styles& styles, StyleId inherited) const {
-  if (leaves_[i].owns_style && !styles.is_opaque(inherited)) return inherited;
-  return leaves_[i].solid->medium(styles, inherited);
+double SolidLeaves::ior(std::uint32_t i, const Styles& styles, StyleId inherited) const {
+  if (leaves_[i].owns_style && styles.uses_ior(inherited)) return styles.ior(inherited);
+  return leaves_[i].solid->ior(styles, inherited);
 }
 
 LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit) const {
@@ -99,7 +99,7 @@ LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const R
     s.pattern_point = styles.pattern_point(own, s.point.position);
   }
   s.solids = this;
-  s.medium = own;
+  s.leaf_style = own;
   return s;
 }
 
@@ -110,8 +110,8 @@ Box3 InstanceLeaves::bounds(std::uint32_t i) const {
 
 void InstanceLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const Leaf& leaf = leaves_[i];
-  NearestQuery inner(leaf.part_begin ? query.ray : carried(leaf, query.ray), query.interval, *leaf.assembly, query.base + leaf.order, query.best,
-                     query.scratch);
+  NearestQuery inner(leaf.part_begin ? query.ray : carried(leaf, query.ray), query.interval, *leaf.assembly,
+                     query.base + leaf.order, query.best, query.scratch);
   leaf.assembly->nearest(inner);
   query.interval.upper = inner.interval.upper;
 }

@@ -28,8 +28,8 @@ struct LeafSurface {
   SurfacePoint point;
   StyleId style = inherited_style;                ///< of the surface
   Vec3 pattern_point;                             ///< unless it is inherited
-  StyleId medium = inherited_style;               ///< of the solid that it belongs to
-  const SolidLeaves* solids = nullptr;            ///< a combination's, where the medium may be another's: see there
+  StyleId leaf_style = inherited_style;           ///< of the leaf as a whole: where it decides about the medium
+  const SolidLeaves* solids = nullptr;            ///< those of a combination, whose medium may be another's
   const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
 };
 
@@ -91,7 +91,7 @@ public:
     const StyleId style = tags_[hit.index].style_id();
     LeafSurface s;
     s.point = p.point(ray, {hit.t, hit.shape_part});
-    s.style = s.medium = style;
+    s.style = s.leaf_style = style;
     if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
     if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
     return s;
@@ -125,9 +125,9 @@ public:
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
   LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const;
 
-  /// The style that says what the inside is made of: the combination's own, else that of its leftmost refracting part;
-  /// `inherited` is what its parts inherit, its own style if it has one.
-  StyleId medium(std::uint32_t i, const Styles& styles, StyleId inherited) const;
+  /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
+  /// one. `inherited` is the style that its parts inherit: its own if it has one.
+  double ior(std::uint32_t i, const Styles& styles, StyleId inherited) const;
 
 private:
   bool inspect(std::uint32_t i, InspectQuery& query) const;
@@ -172,8 +172,8 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
       query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
   }
   if constexpr (Solidlike<typename Placed::G>) {
-    if (query.around && is_solid(p.shape) && contains(p.shape, p.carried(query.ray.origin)))
-      query.add_around(tags_[i].slot, query.resolved(tags_[i].style_id()));
+    if (query.around && contains(p.shape, p.carried(query.ray.origin)))
+      query.add_around(tags_[i].slot, query.styles.ior(query.resolved(tags_[i].style_id())));
   }
   return false;
 }

@@ -151,7 +151,7 @@ private:
 
     void trace_rays(std::span<const Ray> rays, std::span<Color> values) {
       camera_rays_ += rays.size();
-      if (job_.camera_.has_one_eye() || !job_.traceable_.has_transparent())
+      if (job_.camera_.has_one_eye() || !job_.traceable_.uses_ior())
         return whitted_.radiance(rays, job_.around_eye_, values);
       for (std::size_t i = 0; i < rays.size(); ++i)
         values[i] = whitted_.radiance(rays[i], job_.traceable_.around(rays[i].origin));

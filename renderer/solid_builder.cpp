@@ -67,6 +67,7 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
   inner.map = frame.map * to_parent(scene_, object);
   inner.casts_shadow = frame.casts_shadow && object.casts_shadow;
   inner.style = styles_.of(object, inner.map, frame.style);
+  if (object.material != scene::no_material) add_medium(solid, inner.style);
   Solid::Operation operation = Solid::Operation::unite;
   if (is_group) {
     inner.objects = scene_.shapes.get<scene::Group>(object.shape).members;
@@ -86,9 +87,17 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
   frames.push_back(inner);
 }
 
+// Candidates after the first that is certain do not matter.
+void SolidBuilder::add_medium(Solid& solid, StyleId style) const {
+  auto& media = solid.media_;
+  if (style != inherited_style && !styles_.uses_ior(style)) return;
+  if (media.empty() || (media.back() == inherited_style && style != inherited_style)) media.push_back(style);
+}
+
 void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
   const Affine map = frame.map * to_parent(scene_, object);
   const StyleId style = styles_.of(object, map, frame.style);
+  add_medium(solid, style);
   const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
   const auto add = [&](SolidShape shape) {
     solid.nodes_[frame.node].children.push_back({static_cast<std::uint32_t>(solid.operands_.size()), false});

@@ -158,16 +158,12 @@ std::vector<std::uint32_t> Solid::path(std::uint32_t operand) const {
   return path;
 }
 
-bool Solid::is_transparent(const Styles& styles, StyleId inherited) const {
-  return !styles.is_opaque(medium(styles, inherited));
-}
-
-StyleId Solid::medium(const Styles& styles, StyleId inherited) const {
-  for (const Operand& operand : operands_) {
-    const StyleId style = operand.style == inherited_style ? inherited : operand.style;
-    if (!styles.is_opaque(style)) return style;
+double Solid::ior(const Styles& styles, StyleId inherited) const {
+  for (const StyleId candidate : media_) {
+    const StyleId style = candidate == inherited_style ? inherited : candidate;
+    if (styles.uses_ior(style)) return styles.ior(style);
   }
-  return inherited;
+  return 1;
 }
 
 } // namespace rt

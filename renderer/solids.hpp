@@ -49,10 +49,9 @@ public:
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
   std::size_t size() const { return operands_.size(); }
 
-  bool is_transparent(const Styles& styles, StyleId inherited) const;
-  /// The style that says what the inside is made of, if the combination writes none itself: that of its leftmost
-  /// refracting operand.
-  StyleId medium(const Styles& styles, StyleId inherited) const;
+  /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
+  /// part that has one, or 1. A combination within this one counts by its own material first.
+  double ior(const Styles& styles, StyleId inherited) const;
 
 private:
   friend class SolidBuilder;
@@ -101,6 +100,7 @@ private:
   std::vector<Operand> operands_;
   std::vector<Node> nodes_; // the first is the root
   std::vector<Source> sources_;
+  std::vector<StyleId> media_; // candidates for the medium's, the first one best
 };
 
 /// Makes the solid of a combination.
@@ -116,6 +116,7 @@ public:
 private:
   struct Frame;
   void visit(Solid& solid, std::vector<Frame>& frames);
+  void add_medium(Solid& solid, StyleId style) const;
   void add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
   void add_index(Solid& solid, Solid::Node& node);
 

@@ -5,7 +5,7 @@
 namespace rt {
 
 Styles::Styles(const scene::Scene& scene) : materials_(scene) {
-  styles_.push_back({materials_.default_material(), nowhere, true});
+  styles_.push_back({materials_.default_material(), nowhere, true, false});
   extend(scene);
 }
 
@@ -13,10 +13,11 @@ void Styles::extend(const scene::Scene& scene) {
   materials_.extend(scene);
   for (std::size_t i = placeless_.size(); i < scene.materials.size(); ++i) {
     const std::uint32_t material = Materials::index(scene::MaterialId{static_cast<std::uint32_t>(i)});
-    const bool is_opaque = materials_.constant(material).refract == 0;
+    const MaterialValues& values = materials_.constant(material);
+    const bool is_opaque = values.refract == 0, uses_ior = !is_opaque || values.fresnel;
     placeless_.push_back(StyleId{static_cast<std::uint32_t>(styles_.size())});
-    styles_.push_back({material, nowhere, is_opaque});
-    has_transparent_ = has_transparent_ || !is_opaque;
+    styles_.push_back({material, nowhere, is_opaque, uses_ior});
+    uses_ior_ = uses_ior_ || uses_ior;
   }
 }
 
@@ -33,7 +34,8 @@ StyleId Styles::of(const scene::Object& object, const Affine& to_outer, StyleId 
   if (!materials_.has_patterns(material)) return placeless;
   const std::optional<Affine> to_object = inverse(to_outer);
   assert(to_object && "a transform must not flatten its object");
-  styles_.push_back({material, static_cast<std::uint32_t>(places_.size()), at(placeless).is_opaque});
+  styles_.push_back(
+      {material, static_cast<std::uint32_t>(places_.size()), at(placeless).is_opaque, at(placeless).uses_ior});
   places_.push_back(to_object.value_or(Affine{}));
   return StyleId{static_cast<std::uint32_t>(styles_.size() - 1)};
 }

@@ -35,9 +35,12 @@ public:
   StyleId of(const scene::Object& object, const Affine& to_outer, StyleId inherited);
 
   bool is_opaque(StyleId style) const { return at(style).is_opaque; }
-  bool has_transparent() const { return has_transparent_; }
+  /// Whether the index of refraction of the style's material matters at all, and whether any style's does.
+  bool uses_ior(StyleId style) const { return at(style).uses_ior; }
+  bool uses_ior() const { return uses_ior_; }
   std::uint32_t material(StyleId style) const { return at(style).material; }
-  double ior(StyleId style) const { return materials_.constant(at(style).material).ior; }
+  /// 1 where it does not matter.
+  double ior(StyleId style) const { return uses_ior(style) ? materials_.constant(at(style).material).ior : 1; }
 
   /// Where the patterns see the point `p` of the space that the style is asked about in.
   Vec3 pattern_point(StyleId style, const Vec3& p) const {
@@ -62,14 +65,15 @@ private:
     std::uint32_t material;
     std::uint32_t place;
     bool is_opaque;
+    bool uses_ior;
   };
   const Style& at(StyleId id) const { return styles_[static_cast<std::size_t>(id)]; }
 
   Materials materials_;
-  std::vector<Style> styles_;   // first that of the default material
+  std::vector<Style> styles_;      // first that of the default material
   std::vector<StyleId> placeless_; // by material as the scene numbers them
   std::vector<Affine> places_;
-  bool has_transparent_ = false;
+  bool uses_ior_ = false;
 };
 
 } // namespace rt

@@ -95,13 +95,12 @@ struct ShadowQuery : accel::Query {
   bool inspects = false; ///< it is an InspectQuery
 };
 
-/// Looks at everything: all hits of the ray in its interval, or all transparent solids around its origin.
+/// Looks at everything: all hits of the ray in its interval, or all solids around its origin.
 struct InspectQuery : ShadowQuery {
   using ShadowQuery::ShadowQuery;
 
   void add_hit(const Boundary& hit, std::uint32_t index, const LeafKind& kind, const void* leaves);
-  /// Adds the leaf if what it is made of is transparent.
-  void add_around(std::uint32_t slot, StyleId medium);
+  void add_around(std::uint32_t slot, double ior);
 
   std::vector<RayHit>* hits = nullptr;
   std::vector<Interior>* around = nullptr;

@@ -13,23 +13,22 @@ namespace {
 struct Resolved {
   LeafSurface leaf;
   std::uint64_t order = 0;
-  bool is_medium_known = false;
+  std::optional<double> ior;   // as soon as it is known
   Vec3 weights;                // of a smooth triangle's corners
   std::array<Vec3, 3> normals; // theirs
 };
 
-// The style of the leaf's medium as soon as what it inherits is known.
-void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId inherited) {
-  if (r.is_medium_known || inherited == inherited_style) return;
-  r.leaf.medium = r.leaf.solids ? r.leaf.solids->medium(hit.index, styles, inherited) : inherited;
-  r.is_medium_known = true;
+// `style` is the leaf's or what it inherits.
+void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId style) {
+  if (r.ior || style == inherited_style) return;
+  r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, styles, style) : styles.ior(style);
 }
 
 Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
   Resolved r;
   r.leaf = hit.kind->surface(hit.leaves, styles, ray, hit);
   r.order = hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot);
-  settle_medium(r, styles, hit, r.leaf.medium);
+  settle_medium(r, styles, hit, r.leaf.leaf_style);
   if (r.leaf.smooth) {
     r.weights = barycentric(r.leaf.smooth->flat, r.leaf.point.position);
     r.normals = r.leaf.smooth->normals;
@@ -101,7 +100,8 @@ Traceable::Traceable(const scene::Scene& scene, std::span<const Part> parts, Com
     : Traceable(scene, Compiled(scene, parts, cache)) {}
 
 Traceable::Traceable(const scene::Scene& scene, Compiled compiled)
-    : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient), max_depth_(scene.max_depth) {
+    : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient),
+      max_depth_(scene.max_depth) {
   lamps_.reserve(scene.lights.size());
   for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
 }
@@ -182,7 +182,7 @@ Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
   s.order = r.order;
   s.material = styles.material(r.leaf.style);
   s.pattern_point = r.leaf.pattern_point;
-  s.ior = styles.ior(r.leaf.medium);
+  s.ior = r.ior.value_or(1);
   return s;
 }
 
@@ -202,7 +202,7 @@ std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) c
 
 std::vector<Interior> Traceable::around(const Vec3& p) const {
   std::vector<Interior> found;
-  if (!has_transparent()) return found;
+  if (!uses_ior()) return found;
   TraceScratch scratch;
   const Styles& styles = compiled_.styles();
   // Any direction will do: the query is about the boxes that its origin is in.
@@ -226,8 +226,10 @@ std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
     std::uint32_t slot = 0;
     const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
     const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
-    if (instance.part_begin) part_begin = *instance.part_begin;
-    else append(assembly->path(step.slot));
+    if (instance.part_begin)
+      part_begin = *instance.part_begin;
+    else
+      append(assembly->path(step.slot));
     assembly = instance.assembly;
     first += step.order;
   }

@@ -1,5 +1,8 @@
 #include "renderer/integrators/interiors.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace rt {
 
 InteriorLists::List InteriorLists::make(const std::vector<Interior>& interiors) {
@@ -9,9 +12,8 @@ InteriorLists::List InteriorLists::make(const std::vector<Interior>& interiors) 
 }
 
 std::uint32_t InteriorLists::find(List list, std::uint64_t id) const {
-  for (std::uint32_t i = 0; i < list.size; ++i)
-    if (storage_[list.begin + i].id == id) return i;
-  return list.size;
+  const auto found = std::find_if(begin(list), end(list), [id](const Interior& i) { return i.id == id; });
+  return static_cast<std::uint32_t>(found - begin(list));
 }
 
 Passage InteriorLists::passage(List list, const Interior& it) const {
@@ -21,15 +23,22 @@ Passage InteriorLists::passage(List list, const Interior& it) const {
   return {Passage::Kind::leaving_outer, top_ior(list), top_ior(list)};
 }
 
-InteriorLists::List InteriorLists::after(List list, const Interior& it) {
+InteriorLists::List InteriorLists::after(List list, const Interior& it, std::uint32_t owned_from) {
   const std::uint32_t gone = find(list, it.id);
   if (gone + 1 == list.size) return {list.begin, gone};
-  List result{mark(), 0};
-  for (std::uint32_t i = 0; i < list.size; ++i)
-    if (i != gone) storage_.push_back(Interior(storage_[list.begin + i]));
-  if (gone == list.size) storage_.push_back(it);
-  result.size = mark() - result.begin;
-  return result;
+  if (list.begin < owned_from) {
+    const List copy{mark(), list.size};
+    storage_.reserve(storage_.size() + list.size + 1);
+    std::copy_n(storage_.begin() + list.begin, list.size, std::back_inserter(storage_));
+    list = copy;
+  }
+  storage_.resize(list.begin + list.size);
+  if (gone == list.size) {
+    storage_.push_back(it);
+    return {list.begin, list.size + 1};
+  }
+  storage_.erase(storage_.begin() + list.begin + gone);
+  return {list.begin, list.size - 1};
 }
 
 double InteriorLists::fresnel_eta(List list, const Interior& it) const {

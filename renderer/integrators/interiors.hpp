@@ -40,8 +40,9 @@ public:
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.
   Passage passage(List list, const Interior& it) const;
-  /// The list behind that surface.
-  List after(List list, const Interior& it);
+  /// The list behind that surface. A list that begins at `owned_from` or later is changed where it is, and so is
+  /// whatever was made after it; others are copied if need be.
+  List after(List list, const Interior& it, std::uint32_t owned_from);
 
   /// ior of the other side by that of this side, as Fresnel's equation is given it: what lies behind a solid in the
   /// list is the innermost one, or nothing if it is alone.

@@ -44,7 +44,7 @@ public:
   /// Both must outlive the integrator.
   Whitted(const Traceable& scene, Recorder& recorder) : scene_(scene), recorder_(recorder) {}
 
-  /// The light that comes in along `ray` (unit direction), which starts with the transparent solids `inside`.
+  /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
   Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
     interiors_.release(0);
     return trace(RayKind::camera, ray, 0, white, interiors_.make(inside));
@@ -88,10 +88,11 @@ private:
     Surface surface;
     const Arrival* arrivals = nullptr; // where they are known beforehand
     const MaterialValues* values;
-    Vec3 direction; // of the ray
-    Vec3 normal;    // to the viewer
-    double cosine;  // between the two, positive
-    List inside;    // where the ray is
+    Vec3 direction;           // of the ray
+    Vec3 normal;              // to the viewer
+    double cosine;            // between the two, positive
+    List inside;              // where the ray is
+    std::uint32_t owned_from; // lists from there on are this ray's own
     int depth;
     Color weight; // of the ray, for the recorder
   };
@@ -114,6 +115,7 @@ private:
   }
 
   Color follow(Ray ray, int depth, const Color& ray_weight, List inside, const First* first) {
+    const std::uint32_t owned_from = interiors_.mark();
     Color sum = black,
           passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
     for (int crossings = 0; crossings < max_crossings; ++crossings, first = nullptr) {
@@ -131,6 +133,7 @@ private:
       m.direction = ray.direction;
       m.cosine = -dot(m.normal, ray.direction);
       m.inside = inside;
+      m.owned_from = owned_from;
       m.depth = depth;
       m.weight = ray_weight * passed;
       recorder_.surface(hit, m.surface, *m.values, m.normal);
@@ -275,8 +278,9 @@ private:
     if (v.fresnel) tau *= {std::min(1.0, 1 - rho.r), std::min(1.0, 1 - rho.g), std::min(1.0, 1 - rho.b)};
     const double cos_behind = std::sqrt(cos2_behind);
     recorder_.refraction(tau, passage, m.cosine, is_bent ? cos_behind : m.cosine);
+    if (tau == black) return false;
     ++counts_.refracted;
-    const List behind = interiors_.after(m.inside, interior);
+    const List behind = interiors_.after(m.inside, interior, m.owned_from);
     if (is_bent) {
       const Vec3 direction = refract(m.direction, m.normal, eta, m.cosine, cos_behind);
       sum += passed * tau * branch(RayKind::refracted, m, direction, tau, behind);

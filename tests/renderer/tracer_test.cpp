@@ -10,7 +10,7 @@ TEST_CASE("tracer: a report says where, what and of which material") {
   Kit k;
   scene::Material m;
   m.color = Color{0.5, 0.25, 1};
-  m.ior = 1.5;
+  m.ior = 1.5, m.fresnel = true;
   k.add(k.plane({0, 1, 0}, -5));
   k.add(k.group({k.sphere(2).at({0, 0, -10})}).with(k.material(m)));
   const Tracer tracer(k.scene);

@@ -201,8 +201,12 @@ std::vector<std::string> TestFolder::names() const {
 Outcome run_program(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> environment{"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", "TERM=xterm"};
-  environment.insert(environment.end(), options.environment.begin(), options.environment.end());
+  std::vector<std::string> environment = options.environment;
+  for (const std::string variable : {"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", "TERM=xterm"}) {
+    const std::string name = variable.substr(0, variable.find('=') + 1);
+    if (std::none_of(environment.begin(), environment.end(), [&](const auto& given) { return given.starts_with(name); }))
+      environment.push_back(variable);
+  }
   const std::vector<char*> argument_list = pointers(words), environment_list = pointers(environment);
   // Opened now: who gives up root's rights may no longer reach it.
   const int file = ::open(program.c_str(), O_RDONLY | O_CLOEXEC);

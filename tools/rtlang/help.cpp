@@ -1,6 +1,6 @@
 #include "tools/rtlang/help.hpp"
 
-#include <algorithm>
+#include <sstream>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -10,7 +10,7 @@
 namespace rt::tools {
 namespace {
 
-constexpr std::size_t column = 26; ///< where explanations begin
+constexpr std::size_t column = 28; ///< where explanations begin
 
 /// A line of two columns.
 std::string row(std::string_view left, std::string_view right) {
@@ -25,8 +25,24 @@ std::string option_row(const CLI::Option& option) {
   std::string names = letters.empty() ? "    " : '-' + letters.front();
   if (!letters.empty() && !words.empty()) names += ", ";
   if (!words.empty()) names += "--" + words.front();
-  if (!option.get_type_name().empty()) names += ' ' + option.get_type_name();
+  const std::string value = option.get_type_name(); // CLI11 adds its checks to it, after a colon
+  if (!value.empty()) names += ' ' + value.substr(0, value.find(':'));
   return row(names, option.get_description());
+}
+
+/// Text in lines of up to 80 characters, broken at spaces.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 80;
+  std::string result, word;
+  std::size_t length = 0; // of the line
+  std::istringstream words(text);
+  while (words >> word) {
+    const bool fits = length == 0 || length + 1 + word.size() <= width;
+    if (length > 0) result += fits ? ' ' : '\n';
+    length = fits && length > 0 ? length + 1 + word.size() : word.size();
+    result += word;
+  }
+  return result + '\n';
 }
 
 /// The options of a group under a heading; nothing where there are none. Positional ones are in the usage line.
@@ -48,7 +64,7 @@ std::string help(const Subcommand& subcommand, const CLI::App& app) {
                                  subcommand.name, subcommand.arguments);
   for (const std::string& group : app.get_groups())
     if (!group.empty()) text += options_of(app, group, group);
-  if (!app.get_footer().empty()) text += fmt::format("\n{}\n", app.get_footer());
+  if (!app.get_footer().empty()) text += '\n' + wrapped(app.get_footer());
   return text;
 }
 

@@ -124,7 +124,7 @@ private:
     else if (const std::optional<Affine> to_local = inverse(map))
       put<ShapeLeaves<Turned<G>>>(Turned<G>{own, map, *to_local}, tag);
     else
-      assert(!"a transform must not flatten its shape");
+      assert(false && "a transform must not flatten its shape");
   }
 
   template <class Leaves, class Placed>

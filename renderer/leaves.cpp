@@ -137,7 +137,7 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
 }
 
 LeafSurface InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&) const {
-  assert(!"a hit is on a leaf of the instance's assembly");
+  assert(false && "a hit is on a leaf of the instance's assembly");
   return {};
 }
 

@@ -111,9 +111,9 @@ void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Ob
         assert(is_solid(own) && "what is open cannot be combined");
         if (const std::optional<G> here = placed(own, map)) return add(InPlace<G>{*here});
         if (const std::optional<Affine> to_local = inverse(map)) return add(Turned<G>{own, map, *to_local});
-        assert(!"a transform must not flatten its shape");
+        assert(false && "a transform must not flatten its shape");
       } else {
-        assert(!"what is open cannot be combined");
+        assert(false && "what is open cannot be combined");
       }
     }
   });

@@ -1,6 +1,3 @@
 #include "tools/rtlang/program.hpp"
 
-#include <string>
-#include <vector>
-
-int main(int argc, char** argv) { return rt::tools::run(std::vector<std::string>(argv + 1, argv + argc)); }
+int main(int count, char** arguments) { return rt::tools::run({arguments + 1, arguments + count}); }

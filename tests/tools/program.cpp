@@ -147,7 +147,8 @@ private:
     const auto now = Clock::now();
     if (options_.signal && !was_sent_) {
       if (!listens_since_ && listens_to(process_, *options_.signal)) listens_since_ = now;
-      if (listens_since_ && now - *listens_since_ >= options_.signal_delay) {
+      const bool has_said_it = outcome_.errors.find(options_.signal_after) != std::string::npos;
+      if (has_said_it && listens_since_ && now - *listens_since_ >= options_.signal_delay) {
         ::kill(process_, *options_.signal);
         was_sent_ = true;
         sent_at_ = now;

@@ -37,6 +37,7 @@ struct RunOptions {
   /// Sent as soon as the program listens to it, after `signal_delay` more.
   std::optional<int> signal;
   std::chrono::milliseconds signal_delay{0};
+  std::string signal_after; ///< and not before this stands in what it wrote to standard error
   std::chrono::seconds time_limit{60}; ///< then it is killed
 };
 

@@ -42,6 +42,15 @@ std::pair<std::string, std::string> split_define(const std::string& define) {
   return {define.substr(0, equals), define.substr(equals + 1)};
 }
 
+/// As lang::load_file, with our own words for a file that cannot be read.
+lang::Loaded load_named(const std::string& path, const lang::LoadOptions& options) {
+  try {
+    return lang::load_file(path, options);
+  } catch (const std::system_error& error) {
+    throw std::system_error(error.code(), fmt::format("cannot read `{}`", path));
+  }
+}
+
 /// Adds an option for a limit, as a quantity with powers of `thousand`.
 template <class T>
 void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std::uint64_t thousand, const std::string& text) {
@@ -117,7 +126,7 @@ lang::Loaded load(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
   lang::Loaded loaded = arguments.path == "-" ? lang::load_text(read_standard_input(), shown_name(arguments), ".", options)
-                                              : lang::load_file(arguments.path, options);
+                                              : load_named(arguments.path, options);
   throw_if_stopped();
   show(loaded.diagnostics, loaded.sources, arguments);
   return loaded;

@@ -10,13 +10,31 @@
 namespace rt::tools {
 namespace {
 
-constexpr std::size_t column = 28; ///< where explanations begin
+// Where explanations begin.
+constexpr std::size_t option_column = 28;
+constexpr std::size_t command_column = 12;
 
-/// A line of two columns.
-std::string row(std::string_view left, std::string_view right) {
-  // A name that is too long for its column takes a line of its own.
+/// Text in lines of up to 80 characters, broken at spaces; all but the first begin with `indent` spaces, and the first has
+/// that many less to go.
+std::string wrapped(const std::string& text, std::size_t indent = 0) {
+  constexpr std::size_t width = 80;
+  std::string result, word;
+  std::size_t length = indent; // of the line
+  std::istringstream words(text);
+  while (words >> word) {
+    const bool is_first = length == indent, fits = is_first || length + 1 + word.size() <= width;
+    if (!is_first) result += fits ? " " : '\n' + std::string(indent, ' ');
+    length = (fits ? length + (is_first ? 0 : 1) : indent) + word.size();
+    result += word;
+  }
+  return result + '\n';
+}
+
+/// Two columns, the right one over as many lines as it takes.
+std::string row(std::string_view left, const std::string& right, std::size_t column) {
   const bool fits = left.size() + 4 <= column;
-  return fmt::format("  {}{}{}\n", left, fits ? std::string(column - 2 - left.size(), ' ') : '\n' + std::string(column, ' '), right);
+  return fmt::format("  {}{}{}", left, fits ? std::string(column - 2 - left.size(), ' ') : '\n' + std::string(column, ' '),
+                     wrapped(right, column));
 }
 
 std::string option_row(const CLI::Option& option) {
@@ -27,22 +45,7 @@ std::string option_row(const CLI::Option& option) {
   if (!words.empty()) names += "--" + words.front();
   const std::string value = option.get_type_name(); // CLI11 adds its checks to it, after a colon
   if (!value.empty()) names += ' ' + value.substr(0, value.find(':'));
-  return row(names, option.get_description());
-}
-
-/// Text in lines of up to 80 characters, broken at spaces.
-std::string wrapped(const std::string& text) {
-  constexpr std::size_t width = 80;
-  std::string result, word;
-  std::size_t length = 0; // of the line
-  std::istringstream words(text);
-  while (words >> word) {
-    const bool fits = length == 0 || length + 1 + word.size() <= width;
-    if (length > 0) result += fits ? ' ' : '\n';
-    length = fits && length > 0 ? length + 1 + word.size() : word.size();
-    result += word;
-  }
-  return result + '\n';
+  return row(names, option.get_description(), option_column);
 }
 
 /// The options of a group under a heading; nothing where there are none. Positional ones are in the usage line.
@@ -78,9 +81,10 @@ std::string help() {
                                  "       rtlang COMMAND ...\n",
                                  version_number(), first.arguments);
   text += options_of(app, "Options", fmt::format("Options (rtlang {} --help lists all)", first.name));
-  text += row("    --version", "prints the program's version");
+  text += row("    --version", "prints the program's version", option_column);
   text += "\nCommands (rtlang COMMAND --help tells more):\n";
-  for (const Subcommand& subcommand : subcommands()) text += row(subcommand.name, subcommand.summary);
+  for (const Subcommand& subcommand : subcommands()) 
+    text += row(subcommand.name, std::string(subcommand.summary), command_column);
   text += "\nExit code: 0 fine, 1 the scene is wrong, 2 the command line is wrong,\n"
           "3 the machine fails (disk, memory), 130 stopped by Ctrl-C\n";
   return text;

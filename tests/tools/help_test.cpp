@@ -84,8 +84,6 @@ TEST_CASE("help: --help fits a screen") {
       CHECK(line.size() <= 80);
     }
   }
-  const Outcome nothing = rtlang({});
-  CHECK_THAT(nothing.output + nothing.errors, Contains("rtlang"));
 }
 
 TEST_CASE("help: every command has its own, in lines that fit a terminal") {

@@ -47,10 +47,10 @@ TEST_CASE("examples: every scene loads, says what it teaches, and hangs in the g
 TEST_CASE("examples: only the first scene leaves its camera and its light to the program") {
   for (const fs::path& path : examples()) {
     const auto loaded = rt::lang::load_file(path.string(), {});
-    const bool is_bare = path.stem() == "hello";
+    const bool is_hello = path.stem() == "hello";
     INFO(path.filename().string());
     REQUIRE(loaded.scene);
-    CHECK((loaded.scene->camera_origin.line == 0) == (is_bare || path.stem() == "first"));
+    CHECK((loaded.scene->camera_origin.line == 0) == is_hello);
     CHECK_FALSE(loaded.scene->lights.empty());
   }
 }

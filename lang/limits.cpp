@@ -7,7 +7,7 @@ namespace rt::lang {
 namespace {
 
 constexpr std::uint64_t steps_between_looks = 1'024;
-constexpr std::size_t calls_shown_at_each_end = 5;
+constexpr std::size_t calls_shown_at_each_end = 3;
 
 std::string amount(std::uint64_t bytes) {
   return bytes >= std::uint64_t{1} << 20 ? fmt::format("{} MiB", bytes >> 20) : fmt::format("{} bytes", bytes);

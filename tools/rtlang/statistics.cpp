@@ -31,6 +31,11 @@ double rays_per_second(const RenderStatistics& render) {
 
 std::string bytes(std::uint64_t value) { return human(static_cast<double>(value)) + (value < 1000 ? " B" : "B"); }
 
+// "1 primitive", "20 primitives".
+std::string counted(std::uint64_t n, std::string_view noun) {
+  return fmt::format("{} {}{}", human(static_cast<double>(n)), noun, n == 1 ? "" : "s");
+}
+
 std::string seconds(double value) { return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1); }
 
 } // namespace
@@ -40,8 +45,8 @@ std::uint64_t count_rays(const RenderStatistics& s) {
 }
 
 std::string summary(const RunStatistics& s) {
-  return fmt::format("{}: {}×{}, {} primitives, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
-                     s.height, human(static_cast<double>(s.render.primitives)),
+  return fmt::format("{}: {}×{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width, s.height,
+                     counted(s.render.primitives, "primitive"),
                      human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
                      human(rays_per_second(s.render)), seconds(s.total_seconds));
 }
@@ -52,11 +57,11 @@ std::string table(const RunStatistics& s) {
   const auto count = [](std::uint64_t n) { return human(static_cast<double>(n)); };
   std::string text;
   const auto row = [&](std::string_view name, const std::string& value) { text += fmt::format("{:<12}{}\n", name, value); };
-  row("scene", fmt::format("{} (hash {}), {} primitives", s.scene, s.scene_hash, count(r.primitives)));
-  row("picture", fmt::format("{}×{}, {} samples: {}", s.width, s.height, s.samples, fmt::join(s.outputs, ", ")));
+  row("scene", fmt::format("{} (hash {}), {}", s.scene, s.scene_hash, counted(r.primitives, "primitive")));
+  row("picture", fmt::format("{}×{}, {} a pixel: {}", s.width, s.height, counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
   row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
                           count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
-  row("speed", fmt::format("{} rays/s on {} threads", human(rays_per_second(r)), r.threads));
+  row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)), counted(static_cast<std::uint64_t>(r.threads), "thread")));
   row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({} of text, {} steps)", seconds(s.load_seconds),
                           seconds(s.load.parse_seconds), seconds(s.load.check_seconds), seconds(s.load.evaluate_seconds),
                           bytes(s.load.bytes), count(s.load.steps)));

@@ -315,7 +315,7 @@ TEST_CASE("program: a reader that has enough is no error to talk about") {
 TEST_CASE("program: statistics as a table or as JSON") {
   const Desk desk;
   const Outcome table = desk.run({"--stats", "scene.rtl"});
-  CHECK_THAT(table.errors, Contains("\npicture     40×30, 1 samples: scene.png\n") && Contains("\nmemory      "));
+  CHECK_THAT(table.errors, Contains("\npicture     40×30, 1 sample a pixel: scene.png\n") && Contains("\nmemory      "));
   CHECK(table.output.empty());
   for (const auto& arguments : {Names{"scene.rtl", "--stats", "json"}, Names{"--stats=json", "scene.rtl", "-q"}}) {
     const json j = json::parse(desk.run(arguments).output);

@@ -17,6 +17,7 @@ public:
   /// `folder` is where the scene stands; it need not exist when nothing is read from it.
   Files(Program& program, Report& report, const std::filesystem::path& folder, const std::vector<std::string>& roots);
 
+  std::string folder() const { return folder_.string(); }
   /// From now on the scene stands there.
   void set_folder(const std::filesystem::path& folder);
 

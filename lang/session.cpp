@@ -359,6 +359,7 @@ bool Session::go_to(std::size_t version) {
 
 std::size_t Session::version() const { return state_->current; }
 const std::vector<SessionVersion>& Session::versions() const { return state_->versions; }
+std::string Session::folder() const { return state_->core.files.folder(); }
 bool Session::is_empty() const { return state_->document().empty(); }
 std::string Session::text(std::size_t version) const { return join_lines(*state_->documents[version].document); }
 std::string Session::formatted() const { return text(); }

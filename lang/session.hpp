@@ -95,6 +95,8 @@ public:
   /// What differs between two versions, statement by statement: lines that begin with "- " and "+ ".
   std::string diff(std::size_t from, std::size_t to) const;
   bool is_empty() const;
+  /// What relative includes start from.
+  std::string folder() const;
 
   /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change. Its tables
   /// (shapes, materials, …) also hold what stands nowhere any more: they only grow.

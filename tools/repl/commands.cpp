@@ -1,6 +1,7 @@
 #include "tools/repl/commands.hpp"
 
 #include "lang/suggest.hpp"
+#include "tools/rtlang/subcommand.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +11,8 @@ namespace rt::tools {
 std::vector<ShellCommand> shell_commands() {
   std::vector<ShellCommand> all;
   for (const auto table : {picture_commands(), document_commands(), question_commands(), general_commands()})
-    all.insert(all.end(), table.begin(), table.end());
+    for (const ShellCommand& command : table)
+      if (command.subcommand.empty() || find_subcommand(command.subcommand)) all.push_back(command);
   return all;
 }
 

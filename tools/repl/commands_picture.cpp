@@ -26,6 +26,7 @@ bool show(Shell& shell, std::string_view) {
   const InterruptScope interrupt;
   const Rendered rendered = shell.render({scene::Resolution{extent.width, extent.height}, {}, false}, &interrupt.stop());
   if (!rendered.is_complete) return shell.fail("stopped");
+  shell.tell_assumptions();
   shell.print(shell.printer().print(rendered.film, extent));
   return true;
 }
@@ -90,16 +91,26 @@ bool render(Shell& shell, std::string_view arguments) {
   try {
     require_writable(command.path);
     Rendered rendered;
+    std::optional<scene::Scene> scene; // as the saved file would give it: the same bytes
     {
       ProgressLine line(shell);
       const InterruptScope interrupt;
-      rendered = shell.render(command.settings, &interrupt.stop(), [&line](const Progress& p) { line.show(p); });
+      scene = shell.document_scene();
+      if (!scene) return shell.fail("stopped; nothing was written");
+      scene->size = command.settings.size.value_or(scene->size);
+      scene->samples = command.settings.samples.value_or(scene->samples);
+      RenderOptions options;
+      options.layers = command.settings.layers;
+      options.stop = &interrupt.stop();
+      options.on_progress = [&line](const Progress& p) { line.show(p); };
+      rendered = rt::render(*scene, options);
     }
+    shell.tell_assumptions();
     if (!rendered.is_complete) return shell.fail("stopped; nothing was written");
     const bool is_exr = *format == ImageFormat::exr;
     const EncodeOptions options{8,
                                 {{is_exr ? "software" : "Software", fmt::format("rtlang {}", version_number())},
-                                 {is_exr ? "sceneHash" : "Scene-Hash", scene_hash(shell.session().scene())}}};
+                                 {is_exr ? "sceneHash" : "Scene-Hash", scene_hash(*scene)}}};
     replace_file(command.path, encode(rendered.film, *format, options));
     const RenderStatistics& statistics = rendered.statistics;
     shell.print(dim(fmt::format("{}: {}x{} in {:.2f} s", command.path, rendered.film.width, rendered.film.height,

@@ -1,10 +1,111 @@
+#include "lang/reference.hpp"
+#include "lang/suggest.hpp"
+#include "renderer/image/file.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
+#include "tools/repl/terminal.hpp"
+#include "tools/rtlang/exit_code.hpp"
+#include "tools/rtlang/program.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
+
+namespace fs = std::filesystem;
+
+// The document as a file, for as long as a subcommand of the program looks at it.
+class DocumentFile {
+public:
+  explicit DocumentFile(const lang::Session& session) {
+    std::string pattern = (fs::temp_directory_path() / "rtlang-XXXXXX").string();
+    if (!mkdtemp(pattern.data())) throw std::system_error(errno, std::generic_category(), pattern);
+    folder_ = pattern;
+    replace_file(path(), session.text());
+  }
+  ~DocumentFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  DocumentFile(const DocumentFile&) = delete;
+  DocumentFile& operator=(const DocumentFile&) = delete;
+  std::string path() const { return (folder_ / "session.rtl").string(); }
+
+private:
+  fs::path folder_;
+};
+
+// Asks what the command line's subcommand of that name answers.
+bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::string>& arguments) {
+  try {
+    const DocumentFile document(shell.session());
+    std::vector<std::string> words{subcommand, document.path(), "--quiet", "--include-root", shell.session().folder()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const InterruptScope interrupt;
+    return run_for_session(std::move(words)) == exit_fine;
+  } catch (const std::system_error& error) {
+    return shell.fail(error.what());
+  }
+}
+
+// X Y, or the options that the subcommand takes.
+bool ask_about_pixel(Shell& shell, const std::string& subcommand, std::string_view arguments) {
+  std::vector<std::string> words = words_of(arguments);
+  if (words.empty()) return shell.fail(fmt::format("as in `:{} 400 300`, a pixel from the top left", subcommand));
+  if (words.size() >= 2 && !words[0].starts_with('-') && !words[1].starts_with('-')) {
+    words[0] += "," + words[1];
+    words.erase(words.begin() + 1);
+    words.insert(words.begin(), "--pixel");
+  }
+  return ask(shell, subcommand, words);
+}
+
+bool probe(Shell& shell, std::string_view arguments) { return ask_about_pixel(shell, "probe", arguments); }
+bool why(Shell& shell, std::string_view arguments) { return ask_about_pixel(shell, "why", arguments); }
+bool lint(Shell& shell, std::string_view arguments) { return ask(shell, "lint", words_of(arguments)); }
+bool check(Shell& shell, std::string_view arguments) { return ask(shell, "check", words_of(arguments)); }
+
+bool export_scene(Shell& shell, std::string_view arguments) {
+  std::vector<std::string> words = words_of(arguments);
+  if (words.size() < 2 || words[0] != "pov") return shell.fail("as in `:export pov scene.pov`");
+  words[0] = "-o";
+  return ask(shell, "export", words);
+}
+
+std::string describe_property(std::string_view name) {
+  std::string text;
+  for (const lang::ReferenceEntry& entry : lang::reference()) {
+    for (const auto* properties : {&entry.properties, &entry.common_properties}) {
+      for (const lang::PropertyEntry& property : *properties) {
+        if (property.name != name) continue;
+        const std::string otherwise = property.default_text.empty() ? "" : fmt::format(" ({})", property.default_text);
+        text += fmt::format("{}.{}: {}{}  {}\n", entry.name, name, property.type, otherwise, property.help);
+      }
+    }
+  }
+  return text;
+}
+
+bool doc(Shell& shell, std::string_view arguments) {
+  if (arguments.empty()) return shell.fail("as in `:doc sphere`, `:doc radius` or `:doc clamp`");
+  const auto entry = lang::find_entry(arguments);
+  const std::string text = (entry ? lang::describe(*entry) : "") + (entry ? "" : describe_property(arguments));
+  if (!text.empty()) {
+    shell.print(text);
+    return true;
+  }
+  std::vector<std::string> owned;
+  for (const lang::ReferenceEntry& e : lang::reference()) owned.push_back(e.name);
+  const std::vector<std::string_view> names(owned.begin(), owned.end());
+  const auto nearest = lang::nearest(arguments, names);
+  return shell.fail(fmt::format("the language has no `{}`{}", arguments,
+                                nearest ? fmt::format("; did you mean `{}`?", *nearest) : ""));
+}
 
 bool time(Shell& shell, std::string_view arguments) {
   if (!arguments.empty()) {
@@ -22,6 +123,12 @@ bool time(Shell& shell, std::string_view arguments) {
 
 std::span<const ShellCommand> question_commands() {
   static constexpr ShellCommand table[] = {
+      {"probe", "X Y", "what is seen in a pixel", ArgumentKind::none, probe, "probe"},
+      {"why", "X Y", "why a pixel has its colour", ArgumentKind::none, why, "why"},
+      {"lint", "", "what may be a slip", ArgumentKind::none, lint, "lint"},
+      {"check", "", "compares the picture with POV-Ray's", ArgumentKind::none, check, "check"},
+      {"export", "pov FILE", "the scene for POV-Ray", ArgumentKind::file, export_scene, "export"},
+      {"doc", "NAME", "explains a thing, a property or a function", ArgumentKind::word, doc},
       {"time", "[INPUT]", "how long the last input took, or runs one and tells", ArgumentKind::statement, time},
   };
   return table;

@@ -11,6 +11,7 @@
 #include "tools/rtlang/console.hpp"
 #include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/help.hpp"
+#include "tools/rtlang/interrupt.hpp"
 
 #include <clocale>
 #include <cstdlib>
@@ -141,6 +142,7 @@ int run_script(const ReplOptions& options) {
   LineInput input;
   std::string pending;
   while ((is_fine || options.keeps_going) && !shell.wants_to_quit()) {
+    throw_if_stopped();
     const std::optional<std::string> line = input.next();
     if (!line && pending.empty()) break;
     if (line) pending += pending.empty() ? *line : "\n" + *line;

@@ -3,6 +3,7 @@
 #include "renderer/math/color.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/swatch.hpp"
+#include "tools/rtlang/interrupt.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -15,10 +16,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+lang::LoadOptions stoppable(lang::LoadOptions options) {
+  options.stop = &stop_flag();
+  return options;
+}
+
 } // namespace
 
 Shell::Shell(const ShellOptions& options, ShellOutput output)
-    : options_(options), output_(std::move(output)), session_(options.folder, options.load),
+    : options_(options), output_(std::move(output)), session_(options.folder, stoppable(options.load)),
       printer_(options.is_interactive), journal_(options.journal_folder),
       abandoned_(find_abandoned_session(options.journal_folder)) {}
 
@@ -45,6 +51,7 @@ bool Shell::run(std::string_view input) {
 
 bool Shell::run_statements(std::string_view input) {
   if (trimmed(input).empty()) return true;
+  const InterruptScope interrupt;
   return report(session_.submit(input));
 }
 
@@ -72,6 +79,18 @@ Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>*
   options.on_progress = std::move(on_progress);
   return rt::render(*traceable_, {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
                     options);
+}
+
+void Shell::tell_assumptions() {
+  if (!options_.is_interactive || told_version_ == session_.version()) return;
+  told_version_ = session_.version();
+  for (const lang::Diagnostic& note : session_.assumptions()) print(dim(note.message, output_.uses_color) + "\n");
+}
+
+std::optional<scene::Scene> Shell::document_scene() {
+  const std::string folder = session_.folder();
+  lang::Loaded loaded = lang::load_text(session_.text(), "session", folder, stoppable(options_.load));
+  return std::move(loaded.scene);
 }
 
 bool Shell::report(const lang::SessionResult& result) {

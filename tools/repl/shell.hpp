@@ -49,6 +49,11 @@ public:
   Rendered render(const PictureSettings& settings, const std::atomic<bool>* stop,
                   std::function<void(const Progress&)> on_progress = {});
 
+  /// The scene as the saved document would give it, its tables without what earlier states left in them; nothing where
+  /// it was stopped.
+  std::optional<scene::Scene> document_scene();
+  /// Says what camera and light were assumed, once for each state of the scene.
+  void tell_assumptions();
   const CompileCache::Counts& compile_counts() const { return cache_.counts(); }
 
   // For the commands.
@@ -101,6 +106,7 @@ private:
   bool wants_to_quit_ = false;
   bool shows_previews_ = false;
   bool has_changed_ = false;
+  std::optional<std::size_t> told_version_;
   std::size_t journaled_version_ = 0; // to which the journal leads
 };
 

@@ -1,5 +1,7 @@
 #include "tools/repl/terminal.hpp"
 
+#include "tools/rtlang/interrupt.hpp"
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -16,7 +18,6 @@ namespace rt::tools {
 namespace {
 
 // What a signal handler can reach is global by nature.
-std::atomic<bool> stop_requested{false};
 std::atomic<int> interrupt_scopes{0};
 std::atomic<int> pipe_write_end{-1};
 int pipe_read_end = -1;
@@ -28,7 +29,7 @@ void handle(int signal) {
   if (signal == SIGINT) {
     event = 'I';
     if (interrupt_scopes > 0) {
-      stop_requested = true;
+      set_stop(true);
       errno = saved;
       return;
     }
@@ -75,12 +76,16 @@ QuietTerminal::~QuietTerminal() {
 BracketedPaste::BracketedPaste() { send("\x1b[?2004h"); }
 BracketedPaste::~BracketedPaste() { send("\x1b[?2004l"); }
 
+// Where no terminal is listened to, the program's own listening counts, and its flag stays.
 InterruptScope::InterruptScope() {
-  stop_requested = false;
+  if (pipe_read_end >= 0 && interrupt_scopes == 0) set_stop(false);
   ++interrupt_scopes;
 }
-InterruptScope::~InterruptScope() { --interrupt_scopes; }
-const std::atomic<bool>& InterruptScope::stop() const { return stop_requested; }
+InterruptScope::~InterruptScope() {
+  --interrupt_scopes;
+  if (pipe_read_end >= 0 && interrupt_scopes == 0) set_stop(false);
+}
+const std::atomic<bool>& InterruptScope::stop() const { return stop_flag(); }
 
 namespace detail {
 
@@ -105,6 +110,7 @@ void restore_terminal_signals() {
   sigaction(SIGWINCH, &previous_resize, nullptr);
   close(pipe_read_end);
   close(pipe_write_end);
+  pipe_read_end = pipe_write_end = -1;
 }
 
 } // namespace detail

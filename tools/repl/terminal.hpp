@@ -38,7 +38,7 @@ struct BracketedPaste {
   BracketedPaste& operator=(const BracketedPaste&) = delete;
 };
 
-/// While it exists Ctrl-C sets `stop()` and does nothing else.
+/// While it exists Ctrl-C sets `stop()` and does nothing else. Scopes may be nested.
 class InterruptScope {
 public:
   InterruptScope();

@@ -35,6 +35,8 @@ void listen_to_signals() {
 
 const std::atomic<bool>& stop_flag() { return stop; }
 
+void set_stop(bool is_wanted) noexcept { stop = is_wanted; }
+
 int stop_signal() { return signal_number; }
 
 void throw_if_stopped() {

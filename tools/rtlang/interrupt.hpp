@@ -13,6 +13,9 @@ const std::atomic<bool>& stop_flag();
 /// The signal that asked, 0 if none did.
 int stop_signal();
 
+/// For a session, which listens by itself and outlives what it is asked to stop. May be called in a signal handler.
+void set_stop(bool is_wanted) noexcept;
+
 /// Throws Interrupted if a signal has asked the program to stop.
 void throw_if_stopped();
 

@@ -111,6 +111,10 @@ int dispatch(std::vector<std::string> arguments) {
 
 int run(std::vector<std::string> arguments) {
   listen_to_signals();
+  return run_for_session(std::move(arguments));
+}
+
+int run_for_session(std::vector<std::string> arguments) {
   try {
     return dispatch(std::move(arguments));
   } catch (const Interrupted&) {

@@ -9,4 +9,7 @@ namespace rt::tools {
 /// Errors are told on standard error.
 int run(std::vector<std::string> arguments);
 
+/// One subcommand of it for a session, which listens to signals by itself.
+int run_for_session(std::vector<std::string> arguments);
+
 } // namespace rt::tools

@@ -1,0 +1,147 @@
+// Measures what a change costs in a session of 100,000 objects, and how long a preview takes.
+//   bench_session [SCENE]   SCENE: what the preview is of, examples/still_life.rtl unless given
+
+#include "lang/session.hpp"
+#include "renderer/render.hpp"
+#include "renderer/traceable.hpp"
+#include "tools/repl/picture.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace {
+
+using rt::lang::Session;
+
+constexpr int objects = 100'000;
+constexpr rt::scene::Resolution preview_size{160, 120};
+
+// Wall time, and that of all threads on a processor: on a machine that does other things too only the latter says much.
+struct Times {
+  double wall = 0, cpu = 0; // milliseconds
+};
+
+class Stopwatch {
+public:
+  Times elapsed() const {
+    const auto wall = std::chrono::steady_clock::now() - start_;
+    return {std::chrono::duration<double, std::milli>(wall).count(),
+            1e3 * static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC};
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::clock_t cpu_start_ = std::clock();
+};
+
+std::vector<rt::Part> parts_of(Session& session) {
+  std::vector<rt::Part> parts;
+  for (const rt::lang::SceneStretch& s : session.stretches()) parts.push_back({s.begin, s.end, s.stamp});
+  return parts;
+}
+
+void preview(Session& session, rt::CompileCache& cache, rt::scene::Resolution size) {
+  const rt::scene::Scene& scene = session.scene();
+  const rt::Traceable traceable(scene, parts_of(session), cache);
+  rt::render(traceable, {scene.camera, size, 1}, {});
+}
+
+Times median(const std::vector<Times>& all) {
+  const auto middle = [&all](double Times::*member) {
+    std::vector<double> values;
+    for (const Times& times : all) values.push_back(times.*member);
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  };
+  return {middle(&Times::wall), middle(&Times::cpu)};
+}
+
+// One `for`, or as many lines.
+std::string make_scene(bool as_loop) {
+  std::string text = "camera { at: [50, 60, 130], look_at: [50, 0, 45], fov: 50 }\nsun { direction: [-1, -2, -1] }\n";
+  if (as_loop)
+    return text + fmt::format("for i in 0..<{} {{ sphere {{ at: [i % 100, (i / 100) % 10, i / 1000], radius: 0.3 }} }}\n", objects);
+  for (int i = 0; i < objects; ++i)
+    text += fmt::format("sphere {{ at: [{}, {}, {}], radius: 0.3 }}\n", i % 100, i / 100 % 10, i / 1000);
+  return text;
+}
+
+void measure_change(const std::string& name, const std::string& path) {
+  std::vector<Times> fresh, changed;
+  for (int i = 0; i < 3; ++i) {
+    const Stopwatch watch;
+    Session session(".");
+    if (!session.load(path).is_accepted) throw std::runtime_error("the scene does not load");
+    session.submit("sphere { at: [50, 12, 50], radius: 3 }");
+    rt::CompileCache cache(0);
+    preview(session, cache, preview_size);
+    fresh.push_back(watch.elapsed());
+  }
+  Session session(".");
+  session.load(path);
+  rt::CompileCache cache(0);
+  preview(session, cache, preview_size);
+  const auto counters = session.counters();
+  const auto counts = cache.counts();
+  constexpr int changes = 15;
+  for (int i = 0; i < changes; ++i) {
+    const Stopwatch watch;
+    session.submit(fmt::format("sphere {{ at: [{}, 12, 50], radius: 3 }}", 40 + i));
+    preview(session, cache, preview_size);
+    changed.push_back(watch.elapsed());
+  }
+  const Times before = median(fresh), after = median(changed);
+  fmt::print("{:<20} a fresh start {:.0f} ms (cpu {:.0f}), one sphere more {:.1f} ms (cpu {:.1f}): {:.1f} times faster (cpu {:.1f})\n",
+             name, before.wall, before.cpu, after.wall, after.cpu, before.wall / after.wall, before.cpu / after.cpu);
+  fmt::print("{:<20} of {} objects evaluated again {}, rebuilt {}, in {} changes\n", "", objects,
+             session.counters().objects_evaluated - counters.objects_evaluated - changes,
+             cache.counts().objects_built - counts.objects_built, changes);
+}
+
+void measure_preview(const std::string& path) {
+  Session session(".");
+  if (!session.load(path).is_accepted) throw std::runtime_error("the scene does not load");
+  const rt::tools::PicturePrinter printer(true);
+  rt::CompileCache cache(0);
+  std::vector<Times> times;
+  for (int i = 0; i < 9; ++i) {
+    const Stopwatch watch;
+    const rt::scene::Scene& scene = session.scene();
+    const rt::Traceable traceable(scene, parts_of(session), cache);
+    const rt::Rendered rendered = rt::render(traceable, {scene.camera, {320, 240}, 1}, {});
+    const std::string text = printer.print(rendered.film, {79, 30, 320, 240});
+    times.push_back(watch.elapsed());
+  }
+  fmt::print("preview of {} at 320x240: {:.0f} ms (cpu {:.0f})\n", path, median(times).wall, median(times).cpu);
+}
+
+void run(int count, char** arguments) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  for (const bool as_loop : {true, false}) {
+    const std::string path = (folder / "rtlang_bench_session.rtl").string();
+    std::ofstream(path) << make_scene(as_loop);
+    measure_change(as_loop ? "one `for` of 100,000" : "100,000 lines", path);
+    std::filesystem::remove(path);
+  }
+  measure_preview(count > 1 ? arguments[1] : "examples/still_life.rtl");
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+  try {
+    run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_session: %s\n", error.what());
+    return 3;
+  }
+}

@@ -1,5 +1,5 @@
 #include "tools/bench/peers/picture.hpp"
-#include "tools/bench/peers/process.hpp"
+#include "tools/bench/process.hpp"
 #include "tools/bench/scenes/layout.hpp"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +65,6 @@ Cost least(const Cost& a, const Cost& b) {
 
 // Linear pictures of the peers, made for this and not measured.
 void compare(const Options& options, const std::string& scene, Row& row) {
-  constexpr double tolerance = 4;
   const std::string base = options.folder + "/" + scene;
   Command povray = command(options, programs[1], scene), tachyon = command(options, programs[2], scene);
   povray.push_back("File_Gamma=1.0");
@@ -73,16 +72,25 @@ void compare(const Options& options, const std::string& scene, Row& row) {
   tachyon.back() = scene + ".ppm";
   run(povray, options.folder, "check.log");
   run(tachyon, options.folder, "check.log");
-  const Picture ours = read_png(base + ".rtl.png", Encoding::srgb);
-  row.differs_from_povray = share_that_differs(ours, read_png(base + ".pov.png", Encoding::linear), tolerance);
-  row.differs_from_tachyon = share_that_differs(ours, read_ppm(base + ".ppm"), tolerance);
+  run_apart([&] {
+    constexpr double tolerance = 4;
+    const Picture ours = read_png(base + ".rtl.png", Encoding::srgb);
+    std::ofstream(base + ".differs") << share_that_differs(ours, read_png(base + ".pov.png", Encoding::linear), tolerance)
+                                     << ' ' << share_that_differs(ours, read_ppm(base + ".ppm"), tolerance);
+  });
+  std::ifstream(base + ".differs") >> row.differs_from_povray >> row.differs_from_tachyon;
 }
 
 Row measure(const Options& options, const std::string& scene) {
-  const Layout layout = make_layout(scene);
-  Row row{.scene = scene, .primitives = layout.primitive_count(), .costs = {}};
-  for (const Program& program : programs)
-    std::ofstream(options.folder + "/" + scene + program.extension) << write(layout, program.format);
+  const std::string base = options.folder + "/" + scene;
+  run_apart([&] {
+    const Layout layout = make_layout(scene);
+    for (const Program& program : programs) std::ofstream(base + program.extension) << write(layout, program.format);
+    std::ofstream(base + ".count") << layout.primitive_count();
+  });
+  Row row;
+  row.scene = scene;
+  std::ifstream(base + ".count") >> row.primitives;
   for (int i = 0; i < options.runs; ++i)
     for (std::size_t p = 0; p < programs.size(); ++p) {
       const Cost cost = run(command(options, programs[p], scene), options.folder, "run.log");

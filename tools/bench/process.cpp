@@ -1,4 +1,4 @@
-#include "tools/bench/peers/process.hpp"
+#include "tools/bench/process.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,9 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
@@ -60,15 +62,24 @@ std::string shell_text(const Command& command) {
   return fmt::format("{}", fmt::join(command, " "));
 }
 
-std::string output_of(const Command& command) {
-  const std::string line = shell_text(command) + " 2>&1 </dev/null";
-  FILE* pipe = popen(line.c_str(), "r");
-  if (!pipe) return {};
-  std::string text;
-  char buffer[4096];
-  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
-  pclose(pipe);
-  return text;
+void run_apart(const std::function<void()>& work) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) {
+    try {
+      work();
+      std::fflush(stdout);
+      _exit(0);
+    } catch (const std::exception& error) {
+      std::cerr << error.what() << '\n';
+      _exit(1);
+    }
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("a part of the work failed");
 }
 
 } // namespace rt::tools::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,11 @@ using Command = std::vector<std::string>;
 /// and std::runtime_error, with the log's last lines, if it fails.
 Cost run(const Command& command, const std::string& folder, const std::string& log);
 
+/// Runs `work` in a process of its own, so that this one stays small: the peak memory of a program that it starts counts
+/// from its own size. Throws std::runtime_error if it fails; what it throws is printed.
+void run_apart(const std::function<void()>& work);
+
 /// As one would type it into a shell.
 std::string shell_text(const Command& command);
-
-/// What the program prints, standard error included; empty if it cannot be run.
-std::string output_of(const Command& command);
 
 } // namespace rt::tools::bench

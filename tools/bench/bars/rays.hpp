@@ -1,0 +1,19 @@
+#pragma once
+
+#include "renderer/integrators/whitted.hpp"
+
+#include <vector>
+
+namespace rt::tools::bench {
+
+/// All rays of a frame in the order in which the integrator traces them, so that they can be traced again by themselves.
+struct FrameRays {
+  std::vector<Ray> nearest; ///< unit directions
+  std::vector<Ray> shadow;
+  std::vector<double> shadow_ends; ///< how far the lamp is
+};
+
+/// Of the whole picture, `size` pixels each way.
+FrameRays frame_rays(const Traceable& scene, const scene::Camera& camera, int size);
+
+} // namespace rt::tools::bench

@@ -117,6 +117,7 @@ int run_render(const RenderArguments& arguments) {
   RunStatistics statistics;
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
+  loaded.sources = {}; // all is said about the text, and it may be large
   scene::Scene& scene = *loaded.scene;
   apply(*arguments.picture, scene);
   statistics.load_seconds = seconds_since(start);

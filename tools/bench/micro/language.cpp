@@ -48,11 +48,11 @@ void load(benchmark::State& state, const std::string& text, std::int64_t items) 
 void evaluate_loop(benchmark::State& state) {
   load(state, "for i in 0..<100000 { sphere { at: [i, 2 * i, sin(i)], radius: 0.3 } }\n", 100'000);
 }
-BENCHMARK(evaluate_loop)->Unit(benchmark::kMillisecond);
+BENCHMARK(evaluate_loop)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void evaluate_calls(benchmark::State& state) {
   load(state, "fn fib(n) = if n < 2 { n } else { fib(n - 1) + fib(n - 2) }\nx = fib(20)\nsphere { radius: x }\n", 21'891);
 }
-BENCHMARK(evaluate_calls)->Unit(benchmark::kMillisecond);
+BENCHMARK(evaluate_calls)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 } // namespace

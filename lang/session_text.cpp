@@ -75,7 +75,7 @@ std::vector<ItemText> cut_items(std::string_view source, const Ast& ast, NodeLis
 }
 
 std::string shortened(std::string_view text) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t longest = 100;
   std::string line;
   bool had_space = false;
   for (Token token = next_token(text, 0); token.kind != TokenKind::end; token = next_token(text, token.end)) {

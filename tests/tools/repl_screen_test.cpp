@@ -62,6 +62,26 @@ TEST_CASE("picture: half blocks carry the film's colours, encoded as sRGB") {
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
 }
 
+TEST_CASE("picture: every pixel is where it belongs, also where rows are of odd lengths") {
+  const Variable blocks("RTLANG_GRAPHICS", "blocks"), direct("COLORTERM", "truecolor");
+  const PicturePrinter printer(true);
+  // Seven columns, the last one red: each row must end in red, and nowhere else be it.
+  rt::Film made = film(14, 12, {0, 0, 1});
+  for (int y = 0; y < 12; ++y) made.color[made.index(12, y)] = made.color[made.index(13, y)] = {1, 0, 0};
+  const std::string text = printer.print(made, {7, 3, 14, 12});
+  std::size_t begin = 0;
+  for (int row = 0; row < 3; ++row) {
+    const std::size_t end = text.find('\n', begin);
+    const std::string line = text.substr(begin, end - begin);
+    const std::size_t blue = line.find("0;0;255"), red = line.find("255;0;0");
+    REQUIRE(blue != std::string::npos);
+    REQUIRE(red != std::string::npos);
+    CHECK(blue < red);
+    CHECK(line.find("0;0;255", red) == std::string::npos);
+    begin = end + 1;
+  }
+}
+
 TEST_CASE("picture: sixels, kitty's and iTerm2's protocols have their frames") {
   const auto printed = [](const char* graphics) {
     const Variable choice("RTLANG_GRAPHICS", graphics);

@@ -75,11 +75,12 @@ private:
   std::array<std::uint8_t, 8192> table_;
 };
 
+// With an alpha channel: libchafa reads rows of three bytes a pixel wrongly unless they are a multiple of four long.
 std::vector<std::uint8_t> encode(const Film& film) {
   static const Encoder encoder;
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(film.color.size() * 3);
-  for (const Rgb32& c : film.color) bytes.insert(bytes.end(), {encoder(c.r), encoder(c.g), encoder(c.b)});
+  bytes.reserve(film.color.size() * 4);
+  for (const Rgb32& c : film.color) bytes.insert(bytes.end(), {encoder(c.r), encoder(c.g), encoder(c.b), 255});
   return bytes;
 }
 
@@ -179,7 +180,8 @@ std::string PicturePrinter::print(const Film& film, const PictureExtent& extent)
 
   const std::unique_ptr<ChafaCanvas, CanvasRelease> canvas(chafa_canvas_new(config.get()));
   const std::vector<std::uint8_t> pixels = encode(film);
-  chafa_canvas_draw_all_pixels(canvas.get(), CHAFA_PIXEL_RGB8, pixels.data(), film.width, film.height, film.width * 3);
+  chafa_canvas_draw_all_pixels(canvas.get(), CHAFA_PIXEL_RGBA8_UNASSOCIATED, pixels.data(), film.width, film.height,
+                               film.width * 4);
   GString* text = chafa_canvas_print(canvas.get(), terminal_.get());
   std::string out(text->str, text->len);
   g_string_free(text, TRUE);

@@ -20,6 +20,13 @@ void sort_unique(std::vector<Symbol>& symbols) {
   symbols.shrink_to_fit();
 }
 
+// A vector without the digits that only rounding left in it.
+std::string readable(const Value& value) {
+  const Vec3& v = value.vector();
+  if (value.vector_size() == 2) return fmt::format("[{:.10g}, {:.10g}]", v.x, v.y);
+  return fmt::format("[{:.10g}, {:.10g}, {:.10g}]", v.x, v.y, v.z);
+}
+
 Symbol key_of(const Ast& ast, NodeId node) {
   switch (ast.kind(node)) {
   case Kind::bind: return ast.symbol(ast.bind_item(node).name);
@@ -351,7 +358,7 @@ void SessionChange::take_out_printed() {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
     const Value& value = *entry.fresh->made.printed;
     if (value.is_poison()) return true;
-    values.push_back({format(value, core_.program.symbols), as_color(value)});
+    values.push_back({value.is(ValueKind::vector) ? readable(value) : format(value, core_.program.symbols), as_color(value)});
     if (value.is(ValueKind::number)) values.back().color.reset();
     return true;
   });

@@ -23,6 +23,13 @@ std::size_t length_of_utf8(unsigned char first) {
   return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
 }
 
+// Of what a terminal says about itself, ESC [ ? numbers c, at the beginning of the text.
+std::size_t length_of_answer(std::string_view text) {
+  if (text.substr(0, 3) != "\x1b[?") return 0;
+  const std::size_t end = text.find_first_not_of("0123456789;", 3);
+  return end != std::string_view::npos && text[end] == 'c' ? end + 1 : 0;
+}
+
 bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 } // namespace
@@ -33,6 +40,20 @@ KeyReader::~KeyReader() { detail::restore_terminal_signals(); }
 bool KeyReader::has_more() const {
   int waiting = 0;
   return !bytes_.empty() || (ioctl(STDIN_FILENO, FIONREAD, &waiting) == 0 && waiting > 0);
+}
+
+std::string KeyReader::ask(std::string_view question, char last) {
+  constexpr int patience_ms = 150;
+  if (::write(STDOUT_FILENO, question.data(), question.size()) < 0) return "";
+  do {
+    const std::size_t begin = bytes_.find("\x1b[?");
+    const std::size_t end = begin == std::string::npos ? begin : bytes_.find(last, begin);
+    if (end == std::string::npos) continue;
+    const std::string answer = bytes_.substr(begin, end - begin + 1);
+    bytes_.erase(begin, end - begin + 1);
+    return answer;
+  } while (fill(patience_ms));
+  return "";
 }
 
 bool KeyReader::fill(int timeout_ms) {
@@ -76,6 +97,10 @@ Key KeyReader::escape() {
     std::string_view bytes;
     Key::Kind kind;
   };
+  if (const std::size_t answer = length_of_answer(bytes_); answer > 0) { // one that came too late
+    bytes_.erase(0, answer);
+    return {.kind = Key::Kind::nothing};
+  }
   static constexpr std::array<Sequence, 7> known{{{"\x1b[A", Key::Kind::up},
                                                   {"\x1bOA", Key::Kind::up},
                                                   {"\x1b[B", Key::Kind::down},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace rt::tools {
 
@@ -14,6 +15,7 @@ struct Key {
     interrupt, ///< Ctrl-C
     end,       ///< the terminal is gone
     resize,
+    nothing,
     wake,      ///< the descriptor given to the reader is readable
   };
   Kind kind = Kind::character;
@@ -32,6 +34,9 @@ public:
 
   /// Waits for the next.
   Key read();
+  /// Writes a question to the terminal and gives its answer, from ESC [ ? to `last`; empty where none comes in time. What
+  /// is typed meanwhile is kept.
+  std::string ask(std::string_view question, char last);
   /// Whether more was typed than was read so far.
   bool has_more() const;
 

@@ -137,6 +137,7 @@ public:
     end_ = End::end_of_input; // unless something else ends it
   }
   End end() const { return end_; }
+  KeyReader& reader() { return reader_; }
   std::optional<std::string> take_paste() { return std::exchange(paste_, std::nullopt); }
 
 private:
@@ -202,6 +203,7 @@ private:
       type(key_interrupt_done);
       break;
     case Key::Kind::end: type(key_interrupt_done); break;
+    case Key::Kind::nothing: break;
     case Key::Kind::resize:
       rl_resize_terminal();
       redraw("");
@@ -298,6 +300,8 @@ LineEditor::LineEditor(LineEditorHooks hooks, std::string history_path)
 }
 
 LineEditor::~LineEditor() = default;
+
+std::string LineEditor::ask(std::string_view question, char last) { return keys_->reader().ask(question, last); }
 
 LineEditor::Line LineEditor::read(std::string_view prompt) {
   keys_->begin();

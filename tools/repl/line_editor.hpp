@@ -45,6 +45,9 @@ public:
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
+  /// Asks the terminal about itself (see `KeyReader::ask`).
+  std::string ask(std::string_view question, char last);
+
   /// `prompt` may hold escape sequences of colour (ESC [ … m).
   Line read(std::string_view prompt);
 

@@ -59,6 +59,7 @@ public:
 
   int run(const ReplOptions& options) {
     const QuietTerminal quiet;
+    if (shell_.printer().wants_to_ask() && has_sixels(editor_.ask(attributes_query, 'c'))) shell_.printer().use_sixels();
     print(banner());
     if (shell_.abandoned()) print(offer(*shell_.abandoned()));
     if (!options.scene.empty()) shell_.run(fmt::format(":load \"{}\"", options.scene));

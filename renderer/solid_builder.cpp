@@ -11,7 +11,7 @@ constexpr std::size_t least_for_index = 8;
 
 // Whether an operand's own operands can stand in its place: a ∪ (b ∪ c), a ∩ (b ∩ c), (a − b) − c, a − (b ∪ c).
 bool dissolves(Solid::Operation outer, Solid::Operation inner, bool is_first) {
-  using enum Solid::Operation;
+  using enum scene::Combination::Operation;
   if (outer != subtract) return inner == outer;
   return is_first ? inner == subtract : inner == unite;
 }

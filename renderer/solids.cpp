@@ -1,12 +1,9 @@
 #include "renderer/solids.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace rt {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Box3 overlap(const Box3& a, const Box3& b) {
   const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};

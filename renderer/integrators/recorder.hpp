@@ -7,7 +7,7 @@
 
 namespace rt {
 
-enum class RayKind : std::uint8_t { camera, reflected, refracted, straight_on, total_reflection };
+enum class RayKind : std::uint8_t { camera, reflected, refracted, total_reflection };
 
 /// What one lamp gives to one point, term by term.
 struct LightRecord {
@@ -20,21 +20,28 @@ struct LightRecord {
   Color diffuse, highlight; ///< the terms themselves
 };
 
-/// Listens to the integrator. This one does nothing, and costs nothing; a recorder replaces all of these. For each ray
-/// come `begin_ray`; then `miss`, `too_deep`, or `surface`, `own_light`, `light` for each lamp, and for each branch its
-/// event followed by the whole of the branch's ray; then `end_ray`.
+/// Listens to the integrator. This one does nothing and costs nothing; a recorder replaces what it wants to hear.
+///
+/// Each ray is `begin_ray`, what happens to it, `end_ray`. What happens is `miss`; or `too_deep`; or `surface`, then
+/// `own_light`, `light` for each lamp in turn, and the branches. A branch is its event (`reflection`, `refraction`,
+/// `total_reflection`) followed by the whole of the branch's ray. Where refraction bends nothing no new ray begins: the
+/// same one goes on, to its next `surface`, `miss` or `too_deep`, weighted by what the surface lets by.
 struct NoRecorder {
-  static constexpr bool is_recording = false;
-
+  /// `weight` is the share of this ray's radiance in that of the first one.
   void begin_ray(RayKind, const Ray&, int /*depth*/, const Color& /*weight*/) {}
   void end_ray(const Color& /*radiance*/) {}
   void miss(const Color& /*background*/) {}
   void too_deep() {}
-  void surface(const RayHit&, const Surface&, const MaterialValues&, const Vec3& /*normal to the viewer*/) {}
+  /// `normal` is the shading normal, turned to the viewer.
+  void surface(const RayHit&, const Surface&, const MaterialValues&, const Vec3& /*normal*/) {}
   void own_light(const Color& /*ambient*/, const Color& /*emission*/) {}
+  /// What blocks the lamp, if something does, is found along `Whitted::shadow_ray`.
   void light(const LightRecord&, const Surface&) {}
-  void reflection(const Color& /*weight*/, double /*fresnel, or 1*/, double /*cos*/, double /*eta*/) {}
-  void refraction(const Color& /*weight*/, const Passage&, double /*cos in*/, double /*cos out*/) {}
+  /// ρ, and what is in it of Fresnel's reflectance (1 where it is not asked for) at this cosine and ratio of indices.
+  void reflection(const Color& /*rho*/, double /*reflectance*/, double /*cosine*/, double /*eta*/) {}
+  /// τ, the solid that is entered or left, and the cosines before and behind the surface.
+  void refraction(const Color& /*tau*/, const Passage&, double /*cosine*/, double /*cosine_behind*/) {}
+  void total_reflection(const Passage&, double /*cosine*/) {}
 };
 
 } // namespace rt

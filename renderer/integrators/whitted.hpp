@@ -27,8 +27,8 @@ struct OwnTolerances {
   static double shadow_end(double distance) { return std::min(distance * (1 - 0x1p-40), unlimited); }
 };
 
-/// POV-Ray's, for explaining where its pictures differ from ours: in lengths of the scene. With them, ratios of indices of
-/// refraction are rounded as POV-Ray does, too.
+/// POV-Ray's, for explaining where its pictures differ from ours: in lengths of the scene. With them, ratios of indices
+/// of refraction are rounded as POV-Ray does, too.
 struct PovrayTolerances {
   static constexpr bool moves_origins = false;
   static constexpr double nearest = 1e-4;
@@ -63,6 +63,15 @@ public:
   }
 
   const RayCounts& counts() const { return counts_; }
+
+  /// The ray that looks for what blocks a lamp, and the part of it in which something does: what a recorder needs to
+  /// ask the scene which object it is (`Traceable::all_hits`).
+  static Ray shadow_ray(const Surface& surface, const Incidence& incidence) {
+    return leaving(surface, incidence.to_light);
+  }
+  static Interval shadow_range(const Incidence& incidence) {
+    return {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)};
+  }
 
 private:
   using List = InteriorLists::List;
@@ -196,16 +205,14 @@ private:
     Arrival arrival = approach(lamp, surface, normal);
     if (lamp.shadows && arrival.is_facing()) {
       ++counts_.shadow;
-      const Ray ray = leaving(surface, arrival.incidence.to_light);
+      const Ray ray = shadow_ray(surface, arrival.incidence);
       const Interval range = shadow_range(arrival.incidence);
-      if constexpr (Tolerances::moves_origins) arrival.filter = scene_.transmittance(ray, range, scratch_);
-      else arrival.filter = scene_.transmittance_by_steps(ray, range.upper, range.lower);
+      if constexpr (Tolerances::moves_origins)
+        arrival.filter = scene_.transmittance(ray, range, scratch_);
+      else
+        arrival.filter = scene_.transmittance_by_steps(ray, range.upper, range.lower);
     }
     return arrival;
-  }
-
-  static Interval shadow_range(const Incidence& incidence) {
-    return {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)};
   }
 
   static Vec3 towards_viewer(const Surface& surface, const Ray& ray) {
@@ -237,7 +244,7 @@ private:
     for (std::size_t i = 0; i < count; ++i) {
       if (!first_[i].hit || !first_[i].arrivals[lamp].is_facing()) continue;
       arrivals[n] = &first_[i].arrivals[lamp];
-      rays[n] = leaving(first_[i].surface, arrivals[n]->incidence.to_light);
+      rays[n] = shadow_ray(first_[i].surface, arrivals[n]->incidence);
       ranges[n] = shadow_range(arrivals[n]->incidence);
       ++n;
     }
@@ -262,6 +269,7 @@ private:
       if (is_bent) cos2_behind = cos2_refracted(m.cosine, eta);
       if (cos2_behind < 0) {
         // Total internal reflection takes the place of both branches.
+        recorder_.total_reflection(passage, m.cosine);
         sum += passed * branch(RayKind::total_reflection, m, reflect(m.direction, m.normal), white, m.inside);
         return false;
       }

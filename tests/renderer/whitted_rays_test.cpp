@@ -11,7 +11,6 @@ const double pi = 3.14159265358979323846;
 
 // Keeps the rays of a tree of rays.
 struct RayList : NoRecorder {
-  static constexpr bool is_recording = true;
   struct Entry {
     RayKind kind;
     Ray ray;

@@ -1,7 +1,5 @@
 #include "lang/build.hpp"
 
-#include "lang/hashing.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -129,10 +127,16 @@ scene::MaterialId Builder::material(const Value& value) {
     }
     return scene::MaterialId{thing.built};
   }
+  if (!is_pattern(value)) return plain(*as_color(value));
   scene::Material made;
-  if (is_pattern(value)) made.color = pattern(value.thing());
-  else made.color = *as_color(value);
+  made.color = pattern(value.thing());
   return add(made);
+}
+
+scene::MaterialId Builder::plain(const Color& color) {
+  const auto [found, is_new] = plain_.try_emplace(color, static_cast<scene::MaterialId>(scene_.materials.size()));
+  if (is_new) scene_.materials.emplace_back().color = color;
+  return found->second;
 }
 
 scene::MaterialId Builder::add(const scene::Material& material) {

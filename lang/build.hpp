@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lang/hashing.hpp"
 #include "lang/properties.hpp"
 #include "lang/thing.hpp"
 
@@ -46,12 +47,17 @@ public:
   std::string_view open_part(scene::ShapeRef shape);
 
 private:
+  scene::MaterialId plain(const Color& color);
   scene::MaterialId add(const scene::Material& material);
   std::string_view open_member(const std::vector<scene::Object>& members);
 
   const SourceMap& sources_;
   scene::Scene& scene_;
   std::unordered_multimap<std::uint64_t, scene::MaterialId> materials_;
+  struct ColorHash {
+    std::size_t operator()(const Color& color) const { return Hasher().add(color).value(); }
+  };
+  std::unordered_map<Color, scene::MaterialId, ColorHash> plain_; // materials that are a colour and nothing else
   std::unordered_multimap<std::uint64_t, scene::TurnId> turns_;
   std::unordered_map<std::string, scene::NameId> names_;
   std::unordered_map<std::uint32_t, scene::ShapeRef> united_;          // by index of the group

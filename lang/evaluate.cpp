@@ -62,7 +62,7 @@ void Evaluator::run_library() {
     const NodeId bound = ast.bind_item(item).name;
     const Value& value = (*library_)[ast.slot(bound)];
     if (!value.is(ValueKind::thing)) continue;
-    if (const auto rgb = find_css_color(name(ast.symbol(bound)))) value.thing().color_name = from_srgb8(*rgb);
+    if (const auto rgb = find_css_color(name(ast.symbol(bound)))) value.thing().css_color = *rgb;
   }
 }
 

@@ -214,7 +214,7 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
 std::optional<Color> as_color(const Value& value) {
   if (value.is(ValueKind::color)) return value.color();
   if (value.is_number()) return grey(value.number());
-  if (value.is(ValueKind::thing)) return value.thing().color_name;
+  if (value.is(ValueKind::thing) && value.thing().css_color != Thing::no_color) return from_srgb8(value.thing().css_color);
   if (value.is(ValueKind::builtin)) { // `tan`
     if (const auto rgb = find_css_color(value.builtin()->name)) return from_srgb8(*rgb);
   }

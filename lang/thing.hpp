@@ -40,6 +40,7 @@ struct Content : Cell {
 /// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a copy
 /// with changes is another thing.
 struct Thing : Cell {
+  static constexpr std::uint32_t no_color = 0xffffffff;
   static constexpr ValueKind cell_kind = ValueKind::thing;
   const Noun* noun = nullptr;         ///< `group` for what a def makes
   const FunctionInfo* def = nullptr;
@@ -48,7 +49,7 @@ struct Thing : Cell {
   Ref<Chain> chain;
   mutable Ref<Content> content;       ///< of a def: once its body was run
   Span span;                          ///< where it was written
-  std::optional<Color> color_name;    ///< `gold` is a material and the name of a colour
+  std::uint32_t css_color = no_color; ///< `gold` is a material and the name of a colour: 0xrrggbb
 
   // Remembered by the builder of the scene description, so that copies share what they have in common.
   mutable std::optional<scene::ShapeRef> shape;

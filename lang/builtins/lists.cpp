@@ -281,7 +281,7 @@ std::span<const Builtin> lists() {
       {"zip", "lists…: list", "lists of the first elements, of the second ones, and so on", zipped},
       {"concat", "lists…: list", "one list of the elements of all", concatenated},
       {"flatten", "list: list", "the elements of the lists in a list, one level deep", flattened},
-      {"sort", "list: list, by: function = ?", "in ascending order of the elements, or of by(x)", sorted},
+      {"sort", "list: list, key: function = ?", "in ascending order of the elements, or of key(x)", sorted},
       {"reverse", "list: list", "from the last to the first", reversed},
       {"any", "f: function or list, list: list = ?", "whether f(x) is true for an element", quantified<true>},
       {"all", "f: function or list, list: list = ?", "whether f(x) is true for each element", quantified<false>},

@@ -107,6 +107,7 @@ Value Evaluator::param_value(const Context& context, NodeId item) {
     value = expression(define->unit->ast.root, {define->unit, frame.get()});
     if (!value.is_poison() && !otherwise.is_poison() && !are_alike(otherwise, value))
       return fail("E0605", place, fmt::format("`{}` is {} in the scene", name(define->name), describe(otherwise)), "this is " + describe(value));
+    if (otherwise.is(ValueKind::color) && !value.is_poison()) value = *as_color(value); // a number is a grey
   }
   return param.range == no_node ? value : within_range(value, place, param, context);
 }

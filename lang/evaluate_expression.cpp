@@ -1,6 +1,7 @@
 #include "lang/css_colors.hpp"
 #include "lang/evaluator.hpp"
 #include "lang/evaluator_loops.hpp"
+#include "lang/properties.hpp"
 #include "lang/suggest.hpp"
 
 #include <cmath>
@@ -123,7 +124,8 @@ Value Evaluator::record_value(NodeId node, const Context& context) {
 
 Value Evaluator::comprehension_value(NodeId node, const Context& context) {
   std::vector<Value> items;
-  comprehend(context.ast().comprehension(node), 0, context, items);
+  Charge memory(heap_);
+  comprehend(context.ast().comprehension(node), 0, context, items, memory);
   for (const Value& item : items) {
     if (item.is_poison()) return Value::poison();
   }
@@ -132,19 +134,20 @@ Value Evaluator::comprehension_value(NodeId node, const Context& context) {
   return list;
 }
 
-void Evaluator::comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items) {
+void Evaluator::comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items, Charge& memory) {
   const Ast& ast = context.ast();
   if (clause == parts.clauses.size()) {
+    memory.add(sizeof(Value));
     spend(1, ast.span(parts.element));
     items.push_back(expression(parts.element, context));
     return;
   }
   const NodeId node = parts.clauses[clause];
   if (ast.kind(node) == Kind::clause)
-    return for_each(node, context, [&](const Context& inner) { comprehend(parts, clause + 1, inner, items); });
+    return for_each(node, context, [&](const Context& inner) { comprehend(parts, clause + 1, inner, items, memory); });
   if (ast.kind(node) != Kind::filter) return items.push_back(Value::poison());
   bool is_poison = false;
-  if (is_true(ast.operand(node), context, is_poison)) return comprehend(parts, clause + 1, context, items);
+  if (is_true(ast.operand(node), context, is_poison)) return comprehend(parts, clause + 1, context, items, memory);
   if (is_poison) items.push_back(Value::poison());
 }
 
@@ -221,12 +224,13 @@ Value Evaluator::thing_member(const Thing& thing, NodeId node, const Context& co
   if (thing.def) {
     if (const auto i = thing.def->find(symbol)) {
       if (const PropertyValue* found = thing.find(parameter_id(*i))) return found->value;
-      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
+      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only written parameters can be read");
     }
   }
   if (const auto id = thing.noun->find(symbol)) {
     if (const PropertyValue* found = thing.find(*id)) return found->value;
-    return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only what was written can be read");
+    if (const auto value = default_value(*thing.noun, thing.noun->properties[*id])) return *value;
+    return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "it has no value");
   }
   if (find_chain_method(word))
     return fail("E0212", place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word));

@@ -138,7 +138,7 @@ private:
   Value list_value(NodeId node, const Context& context);
   Value record_value(NodeId node, const Context& context);
   Value comprehension_value(NodeId node, const Context& context);
-  void comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items);
+  void comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items, Charge& memory);
   Value index_value(NodeId node, const Context& context);
   Value member_value(NodeId node, const Context& context);
   Value member_of(const Value& base, NodeId node, const Context& context);

@@ -87,6 +87,23 @@ private:
   std::uint64_t bytes_ = 0;
 };
 
+/// Counts memory of the heap's user until it goes out of scope.
+class Charge {
+public:
+  explicit Charge(Heap& heap) : heap_(heap) {}
+  Charge(const Charge&) = delete;
+  Charge& operator=(const Charge&) = delete;
+  ~Charge() { heap_.discharge(bytes_); }
+  void add(std::size_t bytes) {
+    heap_.charge(bytes);
+    bytes_ += bytes;
+  }
+
+private:
+  Heap& heap_;
+  std::size_t bytes_ = 0;
+};
+
 /// A counted reference to a cell, or none.
 template <class T> class Ref {
 public:

@@ -110,11 +110,13 @@ struct Program {
   std::vector<Symbol> param_names; ///< of the main file and what it includes
 
   Program();
+  /// The last one counts.
   const Define* find_define(Symbol name) const {
+    const Define* found = nullptr;
     for (const Define& define : defines) {
-      if (define.name == name) return &define;
+      if (define.name == name) found = &define;
     }
-    return nullptr;
+    return found;
   }
 };
 

@@ -211,6 +211,61 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
   return std::nullopt;
 }
 
+namespace {
+
+Value from_paint(const Property& property, const scene::Paint& paint) {
+  const Color color = std::get<Color>(paint); // a default is never a pattern
+  return property.type == PropertyType::number_paint ? Value(color.r) : Value(color);
+}
+
+Value from_fade(const scene::Fade& fade) { return fade.law == scene::Fade::Law::none ? Value() : Value(fade); }
+
+std::optional<Value> to_value(const Property& property, const scene::FieldValue& value) {
+  if (const double* number = std::get_if<double>(&value)) return Value(*number);
+  if (const bool* truth = std::get_if<bool>(&value)) return Value::boolean(*truth);
+  if (const Vec3* vector = std::get_if<Vec3>(&value)) return Value(*vector);
+  if (const Color* color = std::get_if<Color>(&value)) return Value(*color);
+  if (const scene::Paint* paint = std::get_if<scene::Paint>(&value)) return from_paint(property, *paint);
+  if (const scene::Choice* choice = std::get_if<scene::Choice>(&value))
+    return Value::choice(property.choices[static_cast<std::size_t>(choice->index)]);
+  if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
+  if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value)) return Value::point((*size)[0], (*size)[1]);
+  return std::nullopt; // a list of points, which has no value of its own
+}
+
+} // namespace
+
+std::optional<Value> default_value(const Noun& noun, const Property& property) {
+  switch (property.common) {
+  case Common::at:
+  case Common::rotate: return Value(Vec3{});
+  case Common::scale: return Value(Vec3{1, 1, 1});
+  case Common::visible:
+  case Common::casts_shadow: return Value::boolean(true);
+  case Common::material:
+  case Common::name: return std::nullopt;
+  case Common::none: break;
+  }
+  const auto read = [&](const void* owner) -> std::optional<Value> {
+    const auto value = property.field->get(owner);
+    return value ? to_value(property, *value) : std::nullopt;
+  };
+  if (noun.category == Category::material) {
+    const scene::Material material;
+    return read(&material);
+  }
+  if (noun.category == Category::pattern) {
+    const scene::Pattern pattern;
+    return read(&pattern);
+  }
+  if (noun.maker.construct == nullptr) return std::nullopt;
+  alignas(std::max_align_t) std::byte room[maker_room];
+  noun.maker.construct(room);
+  const auto value = read(room);
+  noun.maker.destroy(room);
+  return value;
+}
+
 std::optional<Color> as_color(const Value& value) {
   if (value.is(ValueKind::color)) return value.color();
   if (value.is_number()) return grey(value.number());

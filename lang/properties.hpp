@@ -23,6 +23,9 @@ std::string_view describe(PropertyType type);
 /// Whether the property takes the value: its type, then its constraint. Poison passes.
 std::optional<Mistake> check_value(const Property& property, const Value& value);
 
+/// What a property is where it is not written; nothing where it has no value then (a plane's `y`).
+std::optional<Value> default_value(const Noun& noun, const Property& property);
+
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);
 

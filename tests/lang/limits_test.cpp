@@ -1,0 +1,81 @@
+#include "tests/lang/loading.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+
+using namespace rt;
+using namespace rt::lang;
+using namespace rt::lang::testing;
+
+using Codes = std::vector<std::string>;
+
+TEST_CASE("limits: recursion up to the limit works, one call more does not") {
+  const std::string sum = "fn sum_to(n) = if n == 0 { 0 } else { n + sum_to(n - 1) }\n";
+  CHECK(number("sum_to(999)", sum) == 499500); // 1000 nested calls
+  CHECK(errors(sum + "sphere { radius: sum_to(1000) }") == Codes{"E0502"});
+  LoadOptions options;
+  options.limits.recursion = 100000;
+  CHECK(load(sum + "sphere { radius: sum_to(50000) }", options).scene);
+}
+
+TEST_CASE("limits: calls within deep expressions do not end the stack") {
+  std::string deep = "f(n - 1)";
+  for (int i = 0; i < 60; ++i) deep = "[(" + deep + ")][0]";
+  CHECK(number("f(999)", "fn f(n) = if n == 0 { 0 } else { " + deep + " }") == 0);
+  CHECK(errors("fn f(n) = " + deep + "\nsphere { radius: f(1) }") == Codes{"E0502"});
+}
+
+TEST_CASE("limits: endless recursion of defs, of functions through builtins, and of each other") {
+  CHECK(errors("def a(n) { a { n: n + 1 } }\na { n: 0 }") == Codes{"E0502"});
+  CHECK(errors("def a(n) { group { union { a { n: n + 1 } } } }\na { n: 0 }") == Codes{"E0502"});
+  CHECK(errors("fn f(x) = map(f, [x])\nsphere { radius: f(1) }") == Codes{"E0502"});
+  CHECK(errors("fn f(x) = g(x)\nfn g(x) = f(x)\nsphere { radius: f(1) }") == Codes{"E0502"});
+}
+
+TEST_CASE("limits: the call stack is told, and its middle left out") {
+  const Loaded loaded = load("fn f(n) = f(n + 1)\nsphere { radius: f(0) }");
+  const Diagnostic* d = find(loaded, "E0502");
+  REQUIRE(d);
+  REQUIRE(d->call_stack.size() == 11);
+  CHECK(d->call_stack.front().message == "in `f`, called here");
+  CHECK(d->call_stack[5].message.find("more calls") != std::string::npos);
+  CHECK(d->call_stack.back().span->begin == 36); // the call in the sphere
+}
+
+TEST_CASE("limits: steps, objects and memory") {
+  LoadOptions options;
+  options.limits.steps = 500;
+  CHECK(errors("for i in 0..<1000 { sphere {} }", options) == Codes{"E0501"});
+  CHECK(errors("sphere { radius: sum(map(fn(x) => x, 0..<1000)) }", options) == Codes{"E0501"});
+  CHECK(errors("for i in 0..<100 { sphere {} }", options).empty());
+  options = {};
+  options.limits.objects = 10;
+  CHECK(errors("for i in 0..<11 { sphere {} }", options) == Codes{"E0503"});
+  CHECK(errors("g = group { for i in 0..<5 { sphere {} } }\nfor i in 0..<5 { g }", options).empty()); // shared: 5 + 5
+  options = {};
+  options.limits.memory_bytes = 1'000'000;
+  CHECK(errors("a = [x for x in 0..<1e6]\nsphere {}", options) == Codes{"E0504"});
+  CHECK(errors("a = reverse(0..<1e7)\nsphere {}", options) == Codes{"E0504"});
+}
+
+TEST_CASE("limits: endless ranges and huge lists end at once") {
+  CHECK(errors("for i in 0..1e300 { sphere {} }") == Codes{"E0501"});
+  CHECK(errors("a = sum(0..1e15)\nsphere {}") == Codes{"E0310"});
+  CHECK(errors("a = [x for x in 0..1e18]\nsphere {}") == Codes{"E0501"});
+}
+
+TEST_CASE("limits: nested too deep is a mistake, not a crash") {
+  CHECK(errors("a = fold(fn(x, i) => [x, i, 0, 0], [], 0..5000)\nsphere {}") == Codes{"E0506"});
+  CHECK(errors("a = fold(fn(x, i) => group { x }, sphere {}, 0..5000)\na") == Codes{"E0506"});
+  CHECK(errors("a = fold(fn(x, i) => checker { a: x }, red, 0..5000)\nsphere { material: a }") == Codes{"E0506"});
+  CHECK(errors("a = fold(fn(f, i) => fn(x) => f(x) + 1, fn(x) => x, 0..<900)\nsphere { radius: a(1) }").empty());
+  CHECK(errors("a = fold(fn(f, i) => fn(x) => f(x) + 1, fn(x) => x, 0..<200000)\nsphere {}").empty()); // never called
+}
+
+TEST_CASE("limits: it stops when it is told to") {
+  const std::atomic<bool> stop = true;
+  LoadOptions options;
+  options.stop = &stop;
+  CHECK(errors("for i in 0..1e7 { sphere {} }", options) == Codes{"E0505"});
+}

@@ -136,6 +136,13 @@ void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {
   if (bytes > 0) evaluator_.reserve(bytes, place_);
 }
 
+const Observer* ArgumentList::observer(std::optional<std::size_t> alone) {
+  if (!alone || !has(*alone)) return evaluator_.observer();
+  return evaluator_.observer_of(arguments[*alone], place_of(*alone));
+}
+
+const scene::Scene& ArgumentList::scene() { return evaluator_.scene_; }
+
 Value Evaluator::call_builtin(const Builtin& builtin, NodeId node, const Context& context) {
   ArgumentList arguments(*this, builtin.name, builtin.signature, context.ast().span(node));
   return arguments.read(node, context) ? builtin.function(arguments) : Value::poison();

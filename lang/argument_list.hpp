@@ -19,6 +19,8 @@ public:
   Value call(const Value& function, std::vector<Value> function_arguments) override;
   Value fail(std::size_t argument, const std::string& message, const std::string& label) override;
   void spend(std::uint64_t steps, std::uint64_t bytes) override;
+  const Observer* observer(std::optional<std::size_t> alone) override;
+  const scene::Scene& scene() override;
 
 private:
   bool put(std::size_t i, Value value, Span place);

@@ -24,6 +24,12 @@ ForItem Ast::for_item(NodeId id) const {
   return {part[0], part[1], part[2], part[3]};
 }
 
+ExpectItem Ast::expect_item(NodeId id) const {
+  const Node& node = (*this)[id];
+  const NodeId* part = links.data() + node.a;
+  return {static_cast<Claim>(node.b), part[0], part[1], part[2], part[3]};
+}
+
 IfNode Ast::if_node(NodeId id) const {
   const Node& node = (*this)[id];
   return {NodeId{node.a}, links[node.b], links[node.b + 1]};
@@ -75,6 +81,16 @@ void Ast::become(const Repeat& repeat, std::uint32_t i) {
   }
   nodes[model].begin = repeat_spans[repeat.first_span + i].begin;
   nodes[model].end = repeat_spans[repeat.first_span + i].end;
+}
+
+std::string_view spelling(Claim claim) {
+  switch (claim) {
+  case Claim::near: return "~";
+  case Claim::hits: return "hits";
+  case Claim::misses: return "misses";
+  case Claim::holds: break;
+  }
+  return "";
 }
 
 std::string_view spelling(Op op) {

@@ -27,6 +27,7 @@ enum class Kind : std::uint8_t {
   if_,       ///< if_node: as an item and as an expression; branches are blocks, `otherwise` may be an if_ again
   bind,      ///< bind_item
   property,  ///< named: `symbol: value`
+  expect,    ///< expect_item
   // Expressions
   number,    ///< number; a unit suffix is already converted to degrees, a sign before a literal is part of it
   string,    ///< text, escapes resolved
@@ -64,6 +65,14 @@ enum class Op : std::uint8_t {
   negate, power,
 };
 
+/// What an `expect` claims.
+enum class Claim : std::uint8_t {
+  holds,  ///< `expect subject`
+  near,   ///< `expect subject ~ other within tolerance`
+  hits,   ///< `expect subject hits other at t parameter within tolerance`
+  misses, ///< `expect subject misses other`
+};
+
 /// 20 bytes; what `a` and `b` mean depends on the kind, and only `Ast` and the parser need to know.
 /// `extra` and (in a name) `b` belong to the stages after parsing: the parser leaves 0 and `unresolved`.
 struct Node {
@@ -88,6 +97,7 @@ struct Function { NodeId name; NodeList parameters; NodeId body; };
 struct ForItem { NodeId index_name, value_name, head, body; };
 struct IfNode { NodeId condition, then, otherwise; };
 struct BindItem { NodeId name, value; };
+struct ExpectItem { Claim claim; NodeId subject, other, parameter, tolerance; };
 struct Named { Symbol symbol; NodeId value; };
 struct Comprehension { NodeId element; NodeList clauses; }; // each a clause or a filter
 struct Call { NodeId callee; NodeList arguments; };         // each an argument or an expression
@@ -151,6 +161,7 @@ public:
   ForItem for_item(NodeId id) const;
   IfNode if_node(NodeId id) const;
   BindItem bind_item(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
+  ExpectItem expect_item(NodeId id) const;
   /// Of a property or an argument; `named_span` is where the name stands.
   Named named(NodeId id) const { return {Symbol{(*this)[id].a}, NodeId{(*this)[id].b}}; }
   Span named_span(NodeId id, const SymbolTable& symbols) const;
@@ -174,6 +185,8 @@ public:
   void become(const Repeat& repeat, std::uint32_t i);
 };
 
+/// How a claim is written: "hits"; empty for one without a word.
+std::string_view spelling(Claim claim);
 /// How an operator is written.
 std::string_view spelling(Op op);
 

@@ -168,6 +168,15 @@ void AstBuilder::close_text(Kind kind, std::uint32_t end) {
   push({kind, Op{}, 0, mark.begin, end, ast_[text].a, raw(name)}, 2);
 }
 
+void AstBuilder::close_expect(Claim claim, std::uint32_t end) {
+  const Mark mark = marks_.back();
+  marks_.pop_back();
+  const std::uint32_t depth = depth_from(mark.operands);
+  const std::uint32_t first_link = link(mark.operands);
+  operands_.resize(mark.operands, Operand{});
+  push({Kind::expect, Op{}, 0, mark.begin, end, first_link, static_cast<std::uint32_t>(claim)}, depth);
+}
+
 void AstBuilder::close_filter(std::uint32_t end) {
   const Mark mark = marks_.back();
   marks_.pop_back();

@@ -20,6 +20,7 @@ std::string_view word(Kind kind) {
   case Kind::if_: return "if";
   case Kind::bind: return "bind";
   case Kind::property: return "property";
+  case Kind::expect: return "expect";
   case Kind::number: return "number";
   case Kind::string: return "string";
   case Kind::color: return "color";
@@ -95,6 +96,7 @@ private:
     case Kind::member: return fmt::format(" {}", symbols_.name(ast_.member(id).symbol));
     case Kind::unary:
     case Kind::binary: return fmt::format(" {}", spelling(ast_.op(id)));
+    case Kind::expect: return ast_.expect_item(id).claim == Claim::holds ? "" : fmt::format(" {}", spelling(ast_.expect_item(id).claim));
     case Kind::range: return ast_.range(id).excludes_end ? " ..<" : " ..";
     case Kind::repeat: return fmt::format(" {} more like it", ast_.repeat(id).count);
     default: return "";
@@ -119,6 +121,7 @@ private:
     case Kind::clause: return loop(ast_.for_item(id), depth);
     case Kind::if_: return choice(ast_.if_node(id), depth);
     case Kind::bind: return node(ast_.bind_item(id).name, depth), node(ast_.bind_item(id).value, depth);
+    case Kind::expect: return expectation(ast_.expect_item(id), depth);
     case Kind::property:
     case Kind::argument: return node(ast_.named(id).value, depth);
     case Kind::comprehension:
@@ -141,6 +144,13 @@ private:
     node(item.name, depth);
     node(item.value, depth);
     node(item.range, depth, "in");
+  }
+
+  void expectation(const ExpectItem& item, int depth) {
+    node(item.subject, depth);
+    node(item.other, depth);
+    node(item.parameter, depth, "at t");
+    node(item.tolerance, depth, "within");
   }
 
   void function(const Function& function, int depth) {

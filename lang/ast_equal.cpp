@@ -57,6 +57,7 @@ struct Comparison {
     case Kind::for_:
     case Kind::clause: return same(left.for_item(a), right.for_item(b));
     case Kind::if_: return same(left.if_node(a), right.if_node(b));
+    case Kind::expect: return same(left.expect_item(a), right.expect_item(b));
     case Kind::property:
     case Kind::argument:
       return names(left.named(a).symbol, right.named(b).symbol) && nodes(left.named(a).value, right.named(b).value);
@@ -83,6 +84,10 @@ struct Comparison {
 
   bool same(const ParamItem& a, const ParamItem& b) const {
     return nodes(a.name, b.name) && nodes(a.value, b.value) && nodes(a.range, b.range);
+  }
+  bool same(const ExpectItem& a, const ExpectItem& b) const {
+    return a.claim == b.claim && nodes(a.subject, b.subject) && nodes(a.other, b.other) && nodes(a.parameter, b.parameter) &&
+           nodes(a.tolerance, b.tolerance);
   }
   bool same(const Function& a, const Function& b) const {
     return nodes(a.name, b.name) && lists(a.parameters, b.parameters) && nodes(a.body, b.body);

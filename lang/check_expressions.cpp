@@ -87,9 +87,9 @@ void Checker::check_value_block(Unit& unit, NodeId block, std::string_view what)
     const bool is_last = i + 1 == items.size();
     const bool is_declaration = kind == Kind::bind || kind == Kind::def || kind == Kind::fn || kind == Kind::error || kind == Kind::use || kind == Kind::include;
     const bool is_statement = kind == Kind::property || kind == Kind::for_ || kind == Kind::param;
-    if (is_declaration || is_statement) check_item(unit, item);
+    if (is_declaration || is_statement || kind == Kind::expect) check_item(unit, item);
     else check_expression(unit, item);
-    if (kind == Kind::error) continue;
+    if (kind == Kind::error || kind == Kind::expect) continue;
     if (is_statement) complain(unit.ast.span(item), "this is not a value");
     else if (!is_last && !is_declaration) complain(unit.ast.span(item), "only the last line gives the value");
     else if (is_last && is_declaration) complain(unit.ast.span(item), "the value is missing after this");
@@ -121,22 +121,40 @@ Known Checker::check_lambda(Unit& unit, NodeId node) {
   return known;
 }
 
+// A name is looked up among the questions and the chain methods too, unless the scene has bound it.
+Known Checker::check_callee(Unit& unit, NodeId callee) {
+  Ast& ast = unit.ast;
+  if (ast.kind(callee) == Kind::member) return check_member(unit, callee, true);
+  if (ast.kind(callee) != Kind::name || find(ast.symbol(callee))) return check_expression(unit, callee);
+  const std::string_view word = name(ast.symbol(callee));
+  Known known;
+  if (const auto question = is_in_expect_ ? find_question(word) : std::nullopt) {
+    ast.set_slot(callee, static_cast<std::uint32_t>(*question), pack(Resolution::question, 0));
+    known.what = Known::What::builtin, known.builtin = &questions()[*question];
+    return known;
+  }
+  if (!find_chain_method(word)) return check_expression(unit, callee);
+  ast.set_slot(callee, 0, pack(Resolution::none, 0));
+  if (Diagnostic* d = report_.error("E0210", ast.span(callee))) {
+    d->message = fmt::format("`{}` is written behind a thing", word);
+    d->label = fmt::format("write `thing.{}(…)`", word);
+  }
+  return known;
+}
+
+bool Checker::is_query(const Unit& unit, NodeId node) const {
+  if (unit.ast.kind(node) == Kind::error) return true; // reported
+  if (unit.ast.kind(node) != Kind::call) return false;
+  const NodeId callee = unit.ast.call(node).callee;
+  if (unit.ast.kind(callee) != Kind::name) return false;
+  const std::string_view word = name(unit.ast.symbol(callee));
+  return word == "pixel" || word == "image_point" || word == "ray";
+}
+
 Known Checker::check_call(Unit& unit, NodeId node) {
   Ast& ast = unit.ast;
   const Call call = ast.call(node);
-  Known callee;
-  if (ast.kind(call.callee) == Kind::member) {
-    callee = check_member(unit, call.callee, true);
-  } else if (ast.kind(call.callee) == Kind::name && !find(ast.symbol(call.callee)) && find_chain_method(name(ast.symbol(call.callee)))) {
-    const std::string_view word = name(ast.symbol(call.callee));
-    ast.set_slot(call.callee, 0, pack(Resolution::none, 0));
-    if (Diagnostic* d = report_.error("E0210", ast.span(call.callee))) {
-      d->message = fmt::format("`{}` is written behind a thing", word);
-      d->label = fmt::format("write `thing.{}(…)`", word);
-    }
-  } else {
-    callee = check_expression(unit, call.callee);
-  }
+  const Known callee = check_callee(unit, call.callee);
   for (const NodeId argument : call.arguments) {
     if (ast.kind(argument) == Kind::argument) check_expression(unit, ast.named(argument).value);
     else check_expression(unit, argument);
@@ -379,7 +397,8 @@ bool Checker::has_closure(const Unit& unit, NodeId node) const {
   for (auto i = static_cast<std::uint32_t>(node); i-- > 0;) {
     const Node& inner = ast.nodes[i];
     if (inner.begin < begin) return false;
-    if (inner.kind == Kind::lambda || inner.kind == Kind::def || inner.kind == Kind::fn || inner.kind == Kind::include) return true;
+    if (inner.kind == Kind::lambda || inner.kind == Kind::def || inner.kind == Kind::fn || inner.kind == Kind::include || inner.kind == Kind::expect)
+      return true;
   }
   return false;
 }

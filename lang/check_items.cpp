@@ -157,6 +157,7 @@ void Checker::check_item(Unit& unit, NodeId item) {
   case Kind::if_: return check_if_item(unit, item);
   case Kind::bind: return check_bind(unit, item);
   case Kind::property: return check_property(unit, item);
+  case Kind::expect: return check_expect(unit, item);
   case Kind::repeat:
     if (ast.repeat(item).is_first) check_item(unit, ast.repeat(item).model); // the others are like it
     return;
@@ -312,6 +313,29 @@ void Checker::set_loop_frame(Unit& unit, NodeId node) {
   unit.ast[node].extra = static_cast<std::uint16_t>(std::min(slots, most_loop_slots));
   if (slots <= most_loop_slots) return;
   if (Diagnostic* d = report_.error("E0506", unit.ast.span(node))) d->message = "there are too many names in this loop";
+}
+
+// What it says is asked once the scene is whole, so it cannot stand in what may run any number of times, or never.
+void Checker::check_expect(Unit& unit, NodeId item) {
+  const ExpectItem expect = unit.ast.expect_item(item);
+  if (scopes_.back().owner.noun != &program_.nouns.scene()) {
+    if (Diagnostic* d = report_.error("E0217", unit.ast.span(item))) {
+      d->message = "`expect` stands at the top level, or in a `for` or `if` there";
+      d->label = "it is about the scene as a whole";
+    }
+  }
+  is_in_expect_ = true;
+  const bool asks_ray = expect.claim == Claim::hits || expect.claim == Claim::misses;
+  if (asks_ray && !is_query(unit, expect.subject)) {
+    if (Diagnostic* d = report_.error("E0218", unit.ast.span(expect.subject))) {
+      d->message = fmt::format("`{}` is said of a ray", spelling(expect.claim));
+      d->label = "write `pixel(x, y)`, `image_point(x, y)` or `ray(origin, direction)`";
+    }
+  }
+  for (const NodeId part : {expect.subject, expect.other, expect.parameter, expect.tolerance}) {
+    if (part != no_node) check_expression(unit, part);
+  }
+  is_in_expect_ = false;
 }
 
 void Checker::check_if_item(Unit& unit, NodeId item) {

@@ -127,12 +127,14 @@ private:
   void check_for(Unit& unit, NodeId item);
   void set_loop_frame(Unit& unit, NodeId node);
   void check_if_item(Unit& unit, NodeId item);
+  void check_expect(Unit& unit, NodeId item);
   void check_property(Unit& unit, NodeId item);
   void add_parameters(Unit& unit, FunctionInfo& info);
   // Sessions (check_session.cpp)
   void declare_known(const TopItem& item, bool functions);
   void take_names(TopItem& item, std::size_t first);
   void note_use(Symbol symbol, const Binding* binding);
+  bool is_query(const Unit& unit, NodeId node) const;
   bool is_at_top_level() const { return scopes_.size() == top_scope_ + 1; }
 
   // Expressions (check_expressions.cpp)
@@ -141,6 +143,7 @@ private:
   void check_value_block(Unit& unit, NodeId block, std::string_view what);
   Known check_lambda(Unit& unit, NodeId node);
   Known check_call(Unit& unit, NodeId node);
+  Known check_callee(Unit& unit, NodeId callee);
   void check_function_call(Unit& unit, NodeId node, const FunctionInfo& function);
   void check_signature_call(Unit& unit, NodeId node, std::string_view name, const Signature& signature);
   void check_thing_call(Unit& unit, NodeId node, const Known& callee);
@@ -173,6 +176,7 @@ private:
   Symbol being_bound_ = no_symbol;       // the name on the left of the `=` whose right side is being read
   bool names_are_missing_ = false;       // a file could not be read: names that are not found may have stood there
   bool is_in_lambda_ = false;            // which is the right side of that `=`
+  bool is_in_expect_ = false;            // where the questions are known
   bool is_main_ = false;
   bool is_define_ = false;
   TopItem* top_item_ = nullptr;          // in a session: the statement being read

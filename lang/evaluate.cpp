@@ -11,9 +11,12 @@
 
 namespace rt::lang {
 
-Evaluated evaluate(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop) {
+Evaluated evaluate(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
+                   const ObserverMaker& observe) {
   Evaluated result;
-  run_on_deep_stack([&](const char* stack_limit) { result = Evaluator(program, report, limits, stop, stack_limit).run(); });
+  run_on_deep_stack([&](const char* stack_limit) {
+    result = Evaluator(program, report, limits, stop, stack_limit).run(observe ? &observe : nullptr);
+  });
   return result;
 }
 
@@ -28,15 +31,20 @@ Evaluator::~Evaluator() {
   for (const Ref<Frame>& frame : suspects_) frame->clear();
 }
 
-Evaluated Evaluator::run() {
+Evaluated Evaluator::run(const ObserverMaker* observe) {
+  make_observer_ = observe;
   try {
     run_program();
     if (!report_.has_errors()) finish_scene();
+    if (!report_.has_errors()) run_expectations();
     try_unused_functions();
   } catch (const Ended&) {
     // A limit was passed, or the evaluation was stopped from outside; either is reported.
   }
-  return {std::move(scene_), steps_};
+  observer_.reset();
+  alone_ = {};
+  expectations_.clear();
+  return {std::move(scene_), steps_, std::move(outcome_)};
 }
 
 void Evaluator::run_program() {
@@ -144,7 +152,7 @@ void Evaluator::finish_scene() {
     fail("E0407", place, problem->message);
     return;
   }
-  if (has_leftovers_) drop_leftovers(scene_);
+  if (has_leftovers_ && expectations_.empty()) drop_leftovers(scene_); // expectations may ask about what stands nowhere
   for (std::size_t i = 0; i < program_.sources.size(); ++i) scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   const auto note = [&](std::string_view code, std::string message) {
     if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0})) d->message = std::move(message);

@@ -29,6 +29,10 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
   case Kind::include:
     if (Unit* included = context.unit->included(node)) items(included->ast.root, {included, context.frame}, target);
     return;
+  case Kind::expect:
+    if (make_observer_ && unsure_ == 0 && target.kind == Target::Kind::scene)
+      expectations_.push_back({context.unit, node, Ref<Frame>(context.frame)});
+    return;
   case Kind::property: return property_item(node, context, target);
   case Kind::for_:
     return for_each(node, context, [&](const Context& inner) { items(inner.ast().for_item(node).body, inner, target); });

@@ -13,6 +13,7 @@ Value Evaluator::call_value(NodeId node, const Context& context) {
   const Node& callee_node = ast[call.callee];
   if (callee_node.kind == Kind::name) { // without making a value of the function
     if (resolution(callee_node) == Resolution::builtin) return call_builtin(*all_builtins()[ast.slot(call.callee)], node, context);
+    if (resolution(callee_node) == Resolution::question) return call_builtin(questions()[ast.slot(call.callee)], node, context);
     if (resolution(callee_node) == Resolution::function) {
       const FunctionInfo& function = program_.functions[ast.slot(call.callee)];
       Frame* frame = context.frame;

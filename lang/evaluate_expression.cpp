@@ -62,6 +62,7 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
   case Resolution::constant: return constants()[index].value();
   case Resolution::color: return from_srgb8(index);
   case Resolution::choice: return Value::choice(program_.choices[index]);
+  case Resolution::question: // is called, and then not asked for its value
   case Resolution::none: break;
   }
   return Value::poison();
@@ -72,6 +73,7 @@ Value Evaluator::function_value(const FunctionInfo& function, Frame* frame, Span
   Ref<Thing> thing = new_thing(program_.nouns.group(), place);
   thing->def = &function;
   thing->def_frame = Ref<Frame>(frame);
+  thing->default_name = function.name;
   return thing;
 }
 
@@ -295,6 +297,7 @@ void Evaluator::declaration(NodeId item, const Context& context) {
   case Kind::bind: {
     const BindItem bind = ast.bind_item(item);
     Value value = expression(bind.value, context);
+    if (value.is(ValueKind::thing)) give_name(value.thing(), ast.symbol(bind.name));
     (*context.frame)[ast.slot(bind.name)] = std::move(value);
     return;
   }

@@ -72,7 +72,8 @@ public:
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
   ~Evaluator();
-  Evaluated run();
+  /// With an observer the expectations are tried once the scene is whole.
+  Evaluated run(const ObserverMaker* observe = nullptr);
 
   // Sessions (evaluate_session.cpp): statements are run one by one, and what they made stays in the scene's tables.
   void begin_session();
@@ -193,6 +194,8 @@ private:
   Value as_material(const Record& record, Span place);
   Ref<Thing> new_thing(const Noun& noun, Span place);
   Ref<Thing> copy_of(const Thing& thing);
+  static void give_name(Thing& thing, Symbol symbol);
+  scene::NameId default_name(Symbol symbol);
   void set_depth(Thing& thing, Span place);
   static constexpr std::size_t most_properties = 64;
   static constexpr std::uint16_t most_depth = 1'000;
@@ -233,6 +236,24 @@ private:
   void add_operand(const Value& value, Span place, Target& target);
   void check_media(const std::vector<scene::Object>& objects);
 
+  // Expectations (expectations.cpp)
+  struct Expectation {
+    Unit* unit;
+    NodeId node;
+    Ref<Frame> frame;
+  };
+  void run_expectations();
+  bool holds(const Expectation& expectation);
+  bool holds_true(const Expectation& expectation, const ExpectItem& item);
+  bool holds_near(const Expectation& expectation, const ExpectItem& item);
+  bool holds_sight(const Expectation& expectation, const ExpectItem& item);
+  std::optional<double> tolerance_of(const ExpectItem& item, const Context& context, double expected);
+  void fail_expectation(const Expectation& expectation, std::string message, std::string expected, std::string found);
+  bool is_seen(const Value& thing, const Sighting& sighting);
+  std::string name_of(const Value& thing, NodeId node, const Context& context);
+  const Observer* observer();
+  const Observer* observer_of(const Value& thing, Span place);
+
   Program& program_;
   Report& report_;
   const Limits& limits_;
@@ -257,6 +278,17 @@ private:
   std::optional<Span> camera_place_;
   std::vector<Span> combination_places_; // by index of the combination
   std::size_t tried_functions_ = 0; // in a session: so many of the program's
+  std::vector<scene::NameId> default_names_; // by symbol: once they were needed
+  std::vector<Expectation> expectations_;
+  Expectations outcome_;
+  const ObserverMaker* make_observer_ = nullptr; // null: expectations are passed over
+  std::unique_ptr<Observer> observer_;           // of the scene
+  struct Alone {
+    Value thing;
+    std::unique_ptr<scene::Scene> scene;
+    std::unique_ptr<Observer> observer;
+  };
+  Alone alone_;                // the thing that was asked about last
   bool has_leftovers_ = false; // shapes may have been made that stand nowhere
 };
 

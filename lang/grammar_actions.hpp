@@ -402,6 +402,28 @@ struct closes_use {
 struct closes_param {
   static void close(ParseState& state, std::uint32_t end) { state.close_param(end); }
 };
+template <> struct action<expect_begin> : begins_at_word {};
+template <Claim C>
+struct claims {
+  static void apply0(ParseState& state) { state.build.mark().symbol = Symbol{static_cast<std::uint32_t>(C)}; }
+};
+template <> struct action<claims_near> : claims<Claim::near> {};
+template <> struct action<claims_hit> : claims<Claim::hits> {};
+template <> struct action<claims_miss> : claims<Claim::misses> {};
+/// What was left out among the parts of an `expect`.
+template <std::uint32_t Parts>
+struct completes_claim {
+  static void apply0(ParseState& state) {
+    if (state.build.parts() < Parts) state.build.nothing(state.build.top().end);
+  }
+};
+template <> struct action<without_other> : completes_claim<2> {};
+template <> struct action<without_parameter> : completes_claim<3> {};
+template <> struct action<without_tolerance> : completes_claim<4> {};
+struct closes_expect {
+  static void close(ParseState& state, std::uint32_t end) { state.close_expect(end); }
+};
+template <> struct action<expect_item> : ends_here<closes_expect> {};
 template <> struct action<for_item> : ends_here<closes_for> {};
 template <> struct action<def_item> : ends_here<closes_def> {};
 template <> struct action<function_rest> : ends_here<closes_fn> {};

@@ -37,6 +37,7 @@ template <> constexpr Expected expected<function_body>() { return Expected::func
 template <> constexpr Expected expected<arrow>() { return Expected::arrow; }
 template <> constexpr Expected expected<path>() { return Expected::path; }
 template <> constexpr Expected expected<use_as>() { return Expected::use_as; }
+template <> constexpr Expected expected<claim_t>() { return Expected::claim_t; }
 template <> constexpr Expected expected<param_value>() { return Expected::param_value; }
 template <> constexpr Expected expected<string_rest>() { return Expected::string_end; }
 template <> constexpr Expected expected<comment_rest>() { return Expected::comment_end; }

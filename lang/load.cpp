@@ -63,9 +63,10 @@ Loaded load(std::string text, std::string name, std::string path, const fs::path
   loaded.statistics.parse_seconds = files.parse_seconds();
   loaded.statistics.bytes = files.bytes();
   const Stopwatch evaluate_time;
-  Evaluated evaluated = evaluate(program, report, options.limits, options.stop);
+  Evaluated evaluated = evaluate(program, report, options.limits, options.stop, options.observe);
   loaded.statistics.evaluate_seconds = evaluate_time.seconds();
   loaded.statistics.steps = evaluated.steps;
+  loaded.expectations = std::move(evaluated.expectations);
   if (!report.has_errors()) loaded.scene = std::move(evaluated.scene);
   loaded.diagnostics = report.finish();
   loaded.sources = std::move(program.sources);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/diagnostic.hpp"
+#include "lang/expect.hpp"
 #include "lang/source.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -25,6 +26,7 @@ struct LoadOptions {
   std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text
   Limits limits;
   std::vector<std::string> include_roots; ///< folders beyond the scene's own that `include` and `use` may read from
+  ObserverMaker observe;                   ///< who looks at the scene for its expectations; without, they are not tried
   const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic
 };
 
@@ -39,6 +41,7 @@ struct Loaded {
   std::vector<Diagnostic> diagnostics;
   SourceMap sources;
   LoadStatistics statistics;
+  Expectations expectations;
 };
 
 /// Text to scene description: parse, check, evaluate. A file that cannot be read is an exception

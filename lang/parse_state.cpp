@@ -212,6 +212,21 @@ void ParseState::close_if(std::uint32_t end) {
   }
 }
 
+// A claim without `~`, `hits` or `misses` is marked by no name.
+void ParseState::close_expect(std::uint32_t end) {
+  const Symbol mark = build.mark().symbol;
+  const Claim claim = mark == no_symbol ? Claim::holds : static_cast<Claim>(mark);
+  const auto misplaced = [&](std::uint32_t part, const char* words, const char* owners) {
+    if (build.part(part).node == no_node) return;
+    report(syntax_error("E0139", span(build.part(part).begin, build.part(part).end),
+                        std::string("`") + words + "` belongs to " + owners));
+  };
+  if (claim != Claim::hits) misplaced(2, "at t", "an expectation with `hits`");
+  if (claim != Claim::hits && claim != Claim::near) misplaced(3, "within", "an expectation with `~`, or with `at t`");
+  if (claim == Claim::hits && build.part(2).node == no_node) misplaced(3, "within", "an expectation with `~`, or with `at t`");
+  build.close_expect(claim, end);
+}
+
 void ParseState::close_param(std::uint32_t end) {
   if (build.parts() == 2) build.nothing(end);
   build.close_linked_head(Kind::param, end);

@@ -81,6 +81,7 @@ public:
   void close_record(std::uint32_t end);
   void close_if(std::uint32_t end);
   void close_param(std::uint32_t end);
+  void close_expect(std::uint32_t end);
 
   /// Records and goes on.
   void report(Diagnostic diagnostic);

@@ -158,6 +158,7 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   object.turn = *turn;
   object.material = clothes->material;
   object.name = clothes->name;
+  if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
   object.origin = builder_.origin(described.place);
   object.casts_shadow = clothes->casts_shadow;
 }
@@ -217,6 +218,7 @@ void Evaluator::put_light(const Described& described, Target& target) {
   light.source = noun.maker.light(room.get());
   if (described.chain) light.chain = described.chain->steps;
   light.name = clothes->name;
+  if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
   light.origin = builder_.origin(described.place);
 }
 

@@ -141,6 +141,7 @@ enum class Resolution : std::uint16_t {
   constant, ///< index in the table of built-in constants
   color,    ///< a CSS colour: 0xrrggbb
   choice,   ///< index of the word in the table of choices
+  question, ///< index in the table of questions
 };
 
 constexpr std::uint16_t pack(Resolution resolution, std::size_t depth) {

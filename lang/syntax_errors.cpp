@@ -62,6 +62,7 @@ public:
     case Expected::path: return error("E0134", "expected a file's path, found " + found(),
                                       "a path is a string: `" + word_of_item() + " \"parts.rtl\"`");
     case Expected::use_as: return error("E0134", "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
+    case Expected::claim_t: return error("E0139", "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
     case Expected::param_value: return error("E0134", "a `param` needs a value to start from, found " + found(),
                                              "`param name = value`");
     case Expected::string_end: return string_end();

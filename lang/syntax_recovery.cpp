@@ -12,7 +12,8 @@ namespace {
 char partner(char open) { return open == '(' ? ')' : open == '[' ? ']' : '}'; }
 
 bool begins_item(Word word) {
-  return word == Word::def_ || word == Word::param_ || word == Word::use_ || word == Word::include_;
+  return word == Word::def_ || word == Word::param_ || word == Word::use_ || word == Word::include_ ||
+         word == Word::expect_;
 }
 
 Token skip_comments(std::string_view text, Token token) {

@@ -50,6 +50,8 @@ struct Thing : Cell {
   mutable Ref<Content> content;       ///< of a def: once its body was run
   Span span;                          ///< where it was written
   std::uint32_t css_color = no_color; ///< `gold` is a material and the name of a colour: 0xrrggbb
+  Symbol default_name = no_symbol;    ///< where it has no `name`: of its binding, else of what it is a copy of
+  bool is_bound = false;              ///< that is its own binding's
 
   // Remembered by the builder of the scene description, so that copies share what they have in common.
   mutable std::optional<scene::ShapeRef> shape;

@@ -24,6 +24,21 @@ Ref<Thing> Evaluator::new_thing(const Noun& noun, Span place) {
   return thing;
 }
 
+// The first name that it is kept under; a further one is another name for the same.
+void Evaluator::give_name(Thing& thing, Symbol symbol) {
+  if (thing.is_bound) return;
+  thing.is_bound = true;
+  thing.default_name = symbol;
+}
+
+scene::NameId Evaluator::default_name(Symbol symbol) {
+  if (symbol == no_symbol) return scene::no_name;
+  const auto i = static_cast<std::size_t>(symbol);
+  if (i >= default_names_.size()) default_names_.resize(std::max(i + 1, program_.symbols.size()), scene::no_name);
+  if (default_names_[i] == scene::no_name) default_names_[i] = builder_.name(name(symbol));
+  return default_names_[i];
+}
+
 Ref<Thing> Evaluator::copy_of(const Thing& thing) {
   Ref<Thing> copy = new_thing(*thing.noun, thing.span);
   copy->depth = thing.depth;
@@ -31,6 +46,7 @@ Ref<Thing> Evaluator::copy_of(const Thing& thing) {
   copy->def_frame = thing.def_frame;
   copy->properties = thing.properties;
   copy->chain = thing.chain;
+  copy->default_name = thing.default_name;
   if (thing.def && !thing.content) thing.content = content_cell(thing); // run once, for both
   copy->content = thing.content;
   if (thing.noun->category == Category::shape) copy->shape = shared_shape(thing);
@@ -106,6 +122,7 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   thing->def = old.def;
   thing->def_frame = old.def_frame;
   thing->chain = old.chain;
+  thing->default_name = old.default_name;
   const bool keeps_inside = std::ranges::all_of(gathered.written, [&](const Gathered::Written& w) { return is_dress(*old.noun, w.id); });
   if (takes_things) {
     if (target.things == had) {

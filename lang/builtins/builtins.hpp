@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/builtins/signature.hpp"
+#include "lang/expect.hpp"
 #include "lang/value.hpp"
 #include "renderer/scene/transform.hpp"
 
@@ -28,6 +29,10 @@ public:
   /// Counts `steps` of work, and makes sure that `bytes` more may be allocated. Does not return when a limit is passed:
   /// that ends the evaluation.
   virtual void spend(std::uint64_t steps, std::uint64_t bytes = 0) = 0;
+  /// Who looks at the scene, or at the thing alone that argument `alone` is, placed or not; null after a failure, which is
+  /// reported. For questions only.
+  virtual const Observer* observer(std::optional<std::size_t> alone = {}) = 0;
+  virtual const scene::Scene& scene() = 0;
 
   bool has(std::size_t i) const { return i < arguments.size() && !arguments[i].is(ValueKind::unset); }
   const Value& operator[](std::size_t i) const { return arguments[i]; }
@@ -76,6 +81,10 @@ std::span<const Builtin> fades();
 } // namespace builtins
 
 std::span<const BuiltinGroup> builtin_groups();
+/// What an `expect` may ask: functions that are known there only.
+std::span<const Builtin> questions();
+/// Index in `questions`.
+std::optional<std::size_t> find_question(std::string_view name);
 std::span<const Constant> constants();
 std::span<const ChainMethod> chain_methods();
 

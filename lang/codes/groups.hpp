@@ -13,6 +13,7 @@ std::span<const Code> values();   ///< E03xx: types and values
 std::span<const Code> things();   ///< E04xx: shapes, solids, materials, lights, cameras
 std::span<const Code> limits();   ///< E05xx: steps, depth, memory, objects
 std::span<const Code> files();    ///< E06xx: include, use, param
+std::span<const Code> expectations(); ///< E07xx: what `rtlang test` finds
 std::span<const Code> remarks();  ///< Wxxxx, Nxxxx: warnings and notes
 
 } // namespace rt::lang::codes

@@ -83,6 +83,16 @@ std::span<const Code> names() {
      "`param` declares what the command line may set with `-D name=value`; it stands at the top level of the scene.",
      "def post() { param length = 2\n  cylinder { height: length } }\npost {}",
      "param length = 2\ndef post() { cylinder { height: length } }\npost {}"},
+    {"E0217", "An expectation stands inside a thing",
+     "`expect` says something about the scene as a whole, so it stands at the top level, or in a `for` or `if` there: not in "
+     "a thing, a `def` or a function.",
+     "group { sphere {}\n  expect 1 + 1 == 2 }",
+     "group { sphere {} }\nexpect 1 + 1 == 2"},
+    {"E0218", "Only a ray hits or misses",
+     "Before `hits` and `misses` stands the ray: `pixel(x, y)`, `image_point(x, y)`, or `ray(origin, direction)`, which may "
+     "name a thing after that to be tested alone.",
+     "ball = sphere {}\nball\nexpect [400, 300] hits ball",
+     "ball = sphere {}\nball\nexpect pixel(400, 300) hits ball"},
   };
   return table;
 }

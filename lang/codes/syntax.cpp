@@ -235,6 +235,15 @@ std::span<const Code> syntax() {
      "`by` gives the step of a range: `0..10 by 2` is 0, 2, 4, 6, 8, 10.",
      "for x in [1, 2, 3] by 2 { sphere { radius: x } }",
      "for x in 1..3 by 2 { sphere { radius: x } }"},
+    {"E0139", "An `expect` is malformed",
+     "`expect query hits thing at t value within tolerance`, `expect query misses thing`, `expect value ~ value within "
+     "tolerance` and `expect condition` are what can be expected; `at t`, `within` and what stands after `misses` may be left out.",
+     "ball = sphere {}\n"
+     "expect ray([0, 0, 5], [0, 0, -1], ball) hits ball at 4\n"
+     "ball",
+     "ball = sphere {}\n"
+     "expect ray([0, 0, 5], [0, 0, -1], ball) hits ball at t 4\n"
+     "ball"},
   };
   return table;
 }

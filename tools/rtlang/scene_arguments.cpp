@@ -122,12 +122,17 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
   print_error(text);
 }
 
-lang::Loaded load(const SceneArguments& arguments) {
+lang::Loaded load_in_silence(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
   lang::Loaded loaded = arguments.path == "-" ? lang::load_text(read_standard_input(), shown_name(arguments), ".", options)
                                               : load_named(arguments.path, options);
   throw_if_stopped();
+  return loaded;
+}
+
+lang::Loaded load(const SceneArguments& arguments) {
+  lang::Loaded loaded = load_in_silence(arguments);
   show(loaded.diagnostics, loaded.sources, arguments);
   return loaded;
 }

@@ -40,6 +40,9 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 /// cannot be read.
 lang::Loaded load(const SceneArguments& arguments);
 
+/// The same, with nothing on standard error.
+lang::Loaded load_in_silence(const SceneArguments& arguments);
+
 /// What overrides the scene's own settings: --size, --samples and --max-depth, each checked as the scene's field is.
 struct PictureArguments {
   std::optional<scene::Resolution> size;

@@ -1,0 +1,116 @@
+#include "lang/builtins/builtins.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace rt::lang {
+namespace {
+
+/// The whole numbers of a pixel that lies in the picture.
+bool is_pixel(BuiltinCall& c) {
+  const scene::Resolution size = c.scene().size;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double n = c.number(i);
+    if (n != std::trunc(n)) return c.fail(i, "a pixel is counted in whole numbers; a point between pixel centres is `image_point(x, y)`", ""), false;
+    if (!(n >= 0 && n < size[i]))
+      return c.fail(i, fmt::format("there is no such pixel: the picture has {} × {}, counted from 0", size[0], size[1]), ""), false;
+  }
+  return true;
+}
+
+Value as_value(BuiltinCall& c, const Ray& ray) {
+  std::vector<Value> parts{ray.origin, ray.direction};
+  if (c.has(2)) parts.push_back(c[2]);
+  return make_list(c.heap(), std::move(parts));
+}
+
+std::optional<Ray> pixel_ray(BuiltinCall& c) {
+  if (!is_pixel(c)) return std::nullopt;
+  const Observer* observer = c.observer();
+  if (!observer) return std::nullopt;
+  return observer->image_ray(c.number(0) + 0.5, c.number(1) + 0.5);
+}
+
+std::optional<Sighting> pixel_sighting(BuiltinCall& c, bool& is_asked) {
+  const auto ray = pixel_ray(c);
+  is_asked = ray.has_value();
+  return ray ? c.observer()->nearest(*ray) : std::nullopt;
+}
+
+bool is_ray(BuiltinCall& c) {
+  if (length(c.vector(1)) > 0 && is_finite(c.vector(0)) && is_finite(c.vector(1))) return true;
+  c.fail(1, "a ray goes somewhere: its direction is finite and not 0", "");
+  return false;
+}
+
+Value pixel(BuiltinCall& c) {
+  const auto ray = pixel_ray(c);
+  return ray ? as_value(c, *ray) : Value::poison();
+}
+
+Value image_point(BuiltinCall& c) {
+  const scene::Resolution size = c.scene().size;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(c.number(i) >= 0 && c.number(i) <= size[i]))
+      return c.fail(i, fmt::format("this point is outside the picture of {} × {} pixels", size[0], size[1]), "");
+  }
+  const Observer* observer = c.observer();
+  return observer ? as_value(c, observer->image_ray(c.number(0), c.number(1))) : Value::poison();
+}
+
+Value ray(BuiltinCall& c) { return is_ray(c) ? as_value(c, {c.vector(0), c.vector(1)}) : Value::poison(); }
+
+Value depth(BuiltinCall& c) {
+  bool is_asked = false;
+  const auto seen = pixel_sighting(c, is_asked);
+  if (!is_asked) return Value::poison();
+  return seen ? seen->distance : std::numeric_limits<double>::infinity();
+}
+
+Value normal(BuiltinCall& c) {
+  bool is_asked = false;
+  const auto seen = pixel_sighting(c, is_asked);
+  if (!is_asked) return Value::poison();
+  return seen ? Value(seen->normal) : Value();
+}
+
+Value color(BuiltinCall& c) {
+  const Observer* observer = is_pixel(c) ? c.observer() : nullptr;
+  if (!observer) return Value::poison();
+  return observer->pixel_color(static_cast<int>(c.number(0)), static_cast<int>(c.number(1)));
+}
+
+Value crossings(BuiltinCall& c) {
+  const Observer* observer = is_ray(c) ? c.observer(2) : nullptr;
+  if (!observer) return Value::poison();
+  const std::vector<double> t = observer->crossings({c.vector(0), c.vector(1)});
+  c.spend(t.size(), t.size() * sizeof(Value));
+  return make_list(c.heap(), std::vector<Value>(t.begin(), t.end()));
+}
+
+} // namespace
+
+std::span<const Builtin> questions() {
+  static constexpr Builtin table[] = {
+      {"pixel", "x: number, y: number", "the ray through the centre of a pixel; (0, 0) is top left", pixel},
+      {"image_point", "x: number, y: number", "the ray through a point of the picture; pixel (0, 0) has its centre at (0.5, 0.5)", image_point},
+      {"ray", "origin: vector, direction: vector, thing: any = ?", "any ray through the scene, or against one thing alone, placed or not", ray},
+      {"depth", "x: number, y: number", "the distance from the eye to what the pixel's centre shows; infinite for nothing", depth},
+      {"normal", "x: number, y: number", "the unit normal there, out of the solid; `none` for nothing", normal},
+      {"color", "x: number, y: number", "the light of a pixel, as a colour before it is rounded", color},
+      {"crossings", "origin: vector, direction: vector, thing: any = ?", "t of all hits of a ray, in order", crossings},
+  };
+  return table;
+}
+
+std::optional<std::size_t> find_question(std::string_view name) {
+  const auto all = questions();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+} // namespace rt::lang

@@ -6,7 +6,8 @@ namespace rt::lang {
 
 std::span<const BuiltinGroup> builtin_groups() {
   static const BuiltinGroup groups[] = {
-      {"Numbers", builtins::maths()},   {"Vectors", builtins::vectors()}, {"Lists and text", builtins::lists()},
+      {"Numbers", builtins::maths()},   {"Vectors", builtins::vectors()},
+      {"Geometry and matrices", builtins::geometry()}, {"Lists and text", builtins::lists()},
       {"Colours", builtins::colors()},  {"Chance", builtins::randoms()},  {"Fades of light", builtins::fades()},
   };
   return groups;

@@ -74,6 +74,7 @@ struct BuiltinGroup {
 namespace builtins {
 std::span<const Builtin> maths();
 std::span<const Builtin> vectors();
+std::span<const Builtin> geometry();
 std::span<const Builtin> lists();
 std::span<const Builtin> colors();
 std::span<const Builtin> randoms();

@@ -37,7 +37,8 @@ std::vector<fs::path> scenes() {
   return out;
 }
 
-/// A scene may begin with `// options: ` and what the command line is to say: -D name=value, --max-steps N, …, --stop.
+/// A scene may begin with `// options: ` and what the command line is to say: -D name=value, --max-steps N, …, --stop; --test: its
+/// expectations are tried, by nobody who sees.
 LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
   constexpr std::string_view mark = "// options: ";
   LoadOptions options;
@@ -54,6 +55,7 @@ LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
     if (word == "--max-objects") words >> options.limits.objects;
     if (word == "--max-memory") words >> options.limits.memory_bytes;
     if (word == "--stop") options.stop = &stop;
+    if (word == "--test") options.observe = [](const rt::scene::Scene&) { return nullptr; };
   }
   return options;
 }
@@ -68,6 +70,7 @@ std::string report_of(std::string name, std::string text) {
   const Loaded loaded = load(std::move(name), std::move(text));
   std::string out;
   for (const Diagnostic& diagnostic : loaded.diagnostics) out += render(diagnostic, loaded.sources, false) + '\n';
+  for (const Diagnostic& diagnostic : loaded.expectations.failures) out += render(diagnostic, loaded.sources, false) + '\n';
   return out;
 }
 

@@ -35,7 +35,7 @@ std::string first_error(const std::string& text) {
 }
 
 // A ball of radius 1 seen from 10 in front of it, in the middle of 5 × 5 pixels.
-const std::string scene = "size: [5, 5]\ncamera { at: [0, 0, 10], look_at: [0, 0, 0], fov: 20 }\n"
+const std::string one_ball = "size: [5, 5]\ncamera { at: [0, 0, 10], look_at: [0, 0, 0], fov: 20 }\n"
                           "ball = sphere {}\nball\n";
 
 } // namespace
@@ -60,14 +60,14 @@ TEST_CASE("expect: the exercises hold") {
 }
 
 TEST_CASE("expect: what is seen is named, and what was found instead is told") {
-  CHECK(tried(scene + "expect pixel(2, 2) hits ball\nexpect pixel(2, 2) hits \"ball\"\nexpect pixel(0, 0) misses").expectations.passed == 3);
-  const std::string text = failure(scene + "other = sphere { at: [9, 9, 9] }\nexpect pixel(2, 2) hits other");
+  CHECK(tried(one_ball + "expect pixel(2, 2) hits ball\nexpect pixel(2, 2) hits \"ball\"\nexpect pixel(0, 0) misses").expectations.passed == 3);
+  const std::string text = failure(one_ball + "other = sphere { at: [9, 9, 9] }\nexpect pixel(2, 2) hits other");
   CHECK(has(text, "error[E0701]"));
   CHECK(has(text, "test.rtl:6:1"));
   CHECK(has(text, "expected `other`"));
   CHECK(has(text, "found `ball` (test.rtl:3) at t 9"));
-  CHECK(has(failure(scene + "expect pixel(0, 0) hits ball"), "found nothing"));
-  CHECK(has(failure(scene + "expect pixel(2, 2) misses"), "expected nothing"));
+  CHECK(has(failure(one_ball + "expect pixel(0, 0) hits ball"), "found nothing"));
+  CHECK(has(failure(one_ball + "expect pixel(2, 2) misses"), "expected nothing"));
 }
 
 TEST_CASE("expect: t, depth, the normal and all crossings of a ray") {
@@ -77,10 +77,10 @@ TEST_CASE("expect: t, depth, the normal and all crossings of a ray") {
                            "expect crossings([0, 0, 10], [0, 0, -2], sphere { radius: 2 }) ~ [4, 6]\n"
                            "expect depth(2, 2) ~ 9\nexpect normal(2, 2) ~ [0, 0, 1]\n"
                            "expect depth(2, 2) ~ 9.05 within 0.1\n";
-  const Loaded loaded = tried(scene + fine);
+  const Loaded loaded = tried(one_ball + fine);
   CHECK(loaded.expectations.passed == 6);
   CHECK(loaded.expectations.failed == 0);
-  const std::string text = failure(scene + "expect ray([0, 0, 10], [0, 0, -2]) hits ball at t 4.6");
+  const std::string text = failure(one_ball + "expect ray([0, 0, 10], [0, 0, -2]) hits ball at t 4.6");
   CHECK(has(text, "expected `ball` at t 4.6"));
   CHECK(has(text, "at t 4.5"));
 }
@@ -97,14 +97,14 @@ TEST_CASE("expect: values are compared with 1e-9 of slack, or with what `within`
 
 TEST_CASE("expect: loops keep their values, and a copy bears the name of what it copies") {
   CHECK(tried("for x in [1, 2, 3] { y = x * x\n expect y == x * x and x < 4 }").expectations.passed == 3);
-  CHECK(tried(scene + "ball { at: [3, 0, 0] }\nexpect ray([3, 0, 9], [0, 0, -1]) hits ball").expectations.passed == 1);
+  CHECK(tried(one_ball + "ball { at: [3, 0, 0] }\nexpect ray([3, 0, 9], [0, 0, -1]) hits ball").expectations.passed == 1);
   CHECK(tried("def post() { sphere {} }\npost {}\nexpect ray([0, 0, 9], [0, 0, -1]) hits \"post\"").expectations.passed == 1);
 }
 
 TEST_CASE("expect: it stands at the top level, and only rays hit") {
   CHECK(first_error("group { sphere {}\n expect true }") == "E0217");
-  CHECK(first_error(scene + "expect [1, 2] hits ball") == "E0218");
-  CHECK(first_error(scene + "expect pixel(2, 2) hits ball at 4") == "E0139");
+  CHECK(first_error(one_ball + "expect [1, 2] hits ball") == "E0218");
+  CHECK(first_error(one_ball + "expect pixel(2, 2) hits ball at 4") == "E0139");
   CHECK(first_error("expect 1 ~ 1 at t 2") == "E0139");
   CHECK(first_error("expect pixel(1, 1) hits bal") == "E0201");
   CHECK(first_error("a = depth(1, 1)") == "E0201");

@@ -44,6 +44,10 @@ public:
     case Kind::clause: return loop("clause", id);
     case Kind::if_: return form("if", {ast_.if_node(id).condition, ast_.if_node(id).then, ast_.if_node(id).otherwise});
     case Kind::bind: return form("=", {ast_.bind_item(id).name, ast_.bind_item(id).value});
+    case Kind::expect: {
+      const ExpectItem item = ast_.expect_item(id);
+      return form(fmt::format("expect{}", spelling(item.claim)), {item.subject, item.other, item.parameter, item.tolerance});
+    }
     case Kind::property:
     case Kind::argument: return fmt::format("{}: {}", name(ast_.named(id).symbol), of(ast_.named(id).value));
     case Kind::number: return fmt::format("{}", ast_.number(id));

@@ -94,6 +94,7 @@ private:
   void geometry(std::size_t i, Outlier& o) {
     o.depth_error = relative(film_.depth[i], shots_.depth[i]);
     depths_.push_back(o.depth_error);
+    result_.depths_beyond_p999 += o.depth_error > gates_.depth_p999;
     result_.depth_max = std::max(result_.depth_max, o.depth_error);
     if (!result_.has_normals) return;
     o.normal_error = angle(to_vec(film_.normal[i]), to_vec(shots_.normal[i]));

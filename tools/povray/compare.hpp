@@ -61,6 +61,7 @@ struct Comparison {
   std::size_t id_mismatches = 0, ids_unexplained = 0;
   std::size_t depths = 0; ///< pixels in which both hit the same object
   double depth_max = 0, depth_p999 = 0;
+  std::size_t depths_beyond_p999 = 0; ///< pixels whose error is above `Gates::depth_p999`
   double normal_max = 0;
   bool has_normals = true;
   std::size_t color_equal = 0;     ///< within `Gates::color`

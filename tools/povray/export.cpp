@@ -34,6 +34,13 @@ public:
     return {std::move(text), std::move(inexact_)};
   }
 
+  std::string run_geometry(const std::string& name) {
+    for (const Object& object : scene_.objects) count_uses(object);
+    Writer out;
+    everything(out, fmt::format("#declare {} = union", name), {});
+    return declarations_ + out.take();
+  }
+
 private:
   // What an object takes from the composites around it.
   struct Around {
@@ -82,18 +89,18 @@ private:
       if (!scene_.lights.empty()) out.close("global_lights off");
       break;
     case Pass::ids: objects(out, scene_.objects, {.is_textured = true}); break;
-    case Pass::depth: everything(out, depth_texture); break;
+    case Pass::depth: everything(out, "union", depth_texture); break;
     case Pass::normals:
       write_normal_lights(out);
-      everything(out, "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
+      everything(out, "union", "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
       break;
     }
     return out;
   }
 
-  void everything(Writer& out, std::string_view texture) {
-    if (scene_.objects.empty()) return;
-    out.open("union");
+  void everything(Writer& out, std::string_view head, std::string_view texture) {
+    if (std::none_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& o) { return has_surface(o); })) return;
+    out.open(head);
     objects(out, scene_.objects, {.is_textured = true});
     out.close(texture);
   }
@@ -284,7 +291,7 @@ private:
   }
 
   const Scene& scene_;
-  const ExportOptions& options_;
+  const ExportOptions options_;
   const Material white_matte_;
   std::vector<std::uint32_t> group_uses_, combination_uses_;
   std::string declarations_;
@@ -298,6 +305,10 @@ private:
 } // namespace
 
 Exported export_povray(const Scene& scene, const ExportOptions& options) { return Exporter(scene, options).run(); }
+
+std::string export_geometry(const Scene& scene, const std::string& name) {
+  return Exporter(scene, {.pass = Pass::depth, .comments = false}).run_geometry(name);
+}
 
 std::string place_text(const Scene& scene, Origin origin) {
   if (origin.line == 0 || origin.file >= scene.files.size()) return {};

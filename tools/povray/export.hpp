@@ -36,6 +36,9 @@ struct Exported {
 /// The same text for the same description, on every machine.
 Exported export_povray(const scene::Scene& scene, const ExportOptions& options = {});
 
+/// Only the objects, as `#declare name = union { … }` without surfaces, for POV-Ray's `trace`. Empty if there is nothing.
+std::string export_geometry(const scene::Scene& scene, const std::string& name);
+
 /// The three channels of a pass's pixel as whole numbers of 16 bits, the value times 65535.
 struct Packed {
   std::uint16_t r = 0, g = 0, b = 0;

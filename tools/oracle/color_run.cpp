@@ -1,0 +1,129 @@
+#include "lang/load.hpp"
+#include "renderer/render.hpp"
+#include "tools/oracle/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+namespace rt::tools::oracle {
+namespace {
+
+std::string complaint(const povray::Comparison& c, const povray::Gates& gates) {
+  std::string text;
+  const auto add = [&](bool fails, const std::string& what) {
+    if (fails) text += (text.empty() ? "" : "; ") + what;
+  };
+  add(c.ids_unexplained > 0, fmt::format("{} pixels with another object", c.ids_unexplained));
+  add(c.depth_max > gates.depth, fmt::format("distance {:.3g}", c.depth_max));
+  add(c.normal_max > gates.normals, fmt::format("normal {:.3g}", c.normal_max));
+  add(c.color_unexplained > 0, fmt::format("{} pixels with another colour, by up to {:.3g}", c.color_unexplained, c.color_max));
+  return text;
+}
+
+class ColorRun {
+public:
+  explicit ColorRun(const RunSettings& settings) : settings_(settings) {}
+
+  RunResult run() {
+    povray::run_many(settings_.scenes, settings_.at_once, [&](std::size_t i) { one(settings_.first + i); });
+    std::sort(result_.failures.begin(), result_.failures.end(), [](const Failure& a, const Failure& b) { return a.scene < b.scene; });
+    const std::size_t kept = std::min(settings_.keep_failures, result_.failures.size());
+    povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result_.failures[i]); });
+    return std::move(result_);
+  }
+
+private:
+  Block file(std::size_t number) const {
+    Dice dice(scene_seed(settings_.seed, number));
+    return random_scene(dice, Mode::color);
+  }
+
+  void one(std::size_t number) {
+    if (settings_.stop && *settings_.stop) return;
+    const Block block = file(number);
+    std::string what;
+    povray::Comparison c;
+    std::vector<std::size_t> features;
+    try {
+      scene::Scene scene = load(print(block));
+      features = features_of(scene);
+      c = compare(scene);
+      what = complaint(c, {});
+    } catch (const povray::Missing&) {
+      throw;
+    } catch (const std::exception& error) {
+      what = error.what();
+    }
+    const std::lock_guard lock(mutex_);
+    add(c, features);
+    if (!what.empty()) result_.failures.push_back({number, what, print(block)});
+    if (settings_.on_progress) settings_.on_progress(result_.scenes);
+  }
+
+  povray::Comparison compare(scene::Scene& scene) const {
+    scene.size = {settings_.width, settings_.height};
+    if (const auto exported = povray::export_povray(scene); !exported.inexact.empty())
+      throw std::runtime_error("POV-Ray cannot compute it exactly: " + exported.inexact.front().message);
+    RenderOptions options;
+    options.threads = 1;
+    options.layers = true;
+    const Film film = render(scene, options).film;
+    povray::ShootOptions shoot;
+    shoot.at_once = 1;
+    shoot.run.stop = settings_.stop;
+    return povray::compare(scene, film, povray::shoot(scene, shoot));
+  }
+
+  void add(const povray::Comparison& c, const std::vector<std::size_t>& features) {
+    ++result_.scenes;
+    result_.samples += c.pixels;
+    result_.depths += c.depths;
+    result_.depths_beyond_p999 += c.depths_beyond_p999;
+    result_.depth_max = std::max(result_.depth_max, c.depth_max);
+    result_.normal_max = std::max(result_.normal_max, c.normal_max);
+    result_.id_mismatches += c.id_mismatches;
+    result_.ids_unexplained += c.ids_unexplained;
+    result_.color_equal += c.color_equal;
+    result_.color_unexplained += c.color_unexplained;
+    result_.color_explained_by_rounding += c.color_unstable;
+    result_.color_explained_by_limits += c.pixels - c.color_equal - c.color_unexplained - c.color_unstable;
+    if (c.color_unexplained > 0) result_.color_max = std::max(result_.color_max, c.color_max);
+    result_.coverage.add(features);
+  }
+
+  // Keeps what kind of failure it is in mind no further than that it is one, but a file must still load.
+  void make_small(Failure& failure) {
+    const auto fails = [&](const Block& block) {
+      try {
+        scene::Scene scene = load(print(block));
+        return !complaint(compare(scene), {}).empty();
+      } catch (const std::exception&) {
+        return false;
+      }
+    };
+    const Block block = file(failure.scene);
+    if (fails(block)) failure.text = print(minimise(block, fails, 400));
+  }
+
+  const RunSettings& settings_;
+  std::mutex mutex_;
+  RunResult result_;
+};
+
+} // namespace
+
+scene::Scene load(const std::string& text) {
+  lang::Loaded loaded = lang::load_text(text, "random.rtl", ".", {});
+  if (loaded.scene) return std::move(*loaded.scene);
+  for (const lang::Diagnostic& d : loaded.diagnostics)
+    if (d.severity == lang::Severity::error)
+      throw std::runtime_error(fmt::format("the scene does not load: line {}: {}", loaded.sources.position(d.span.file, d.span.begin).line, d.message));
+  throw std::runtime_error("the scene does not load");
+}
+
+RunResult run_colors(const RunSettings& settings) { return ColorRun(settings).run(); }
+
+} // namespace rt::tools::oracle

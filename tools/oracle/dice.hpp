@@ -1,0 +1,50 @@
+#pragma once
+
+#include "renderer/math/vec3.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace rt::tools::oracle {
+
+/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
+/// Generators, 2014).
+class Dice {
+public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+  /// In [0, 1).
+  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  /// From 0 to count − 1.
+  int below(int count) { return static_cast<int>(unit() * count); }
+  bool chance(double probability) { return unit() < probability; }
+  double sign() { return chance(0.5) ? 1 : -1; }
+  Vec3 vector(double low, double high) {
+    const double x = between(low, high), y = between(low, high);
+    return {x, y, between(low, high)};
+  }
+  /// Evenly spread over the unit sphere.
+  Vec3 direction() {
+    Vec3 v;
+    do v = vector(-1, 1);
+    while (dot(v, v) > 1 || dot(v, v) < 0.01);
+    return normalize(v);
+  }
+
+private:
+  std::uint64_t state_;
+};
+
+/// The seed of the `index`-th scene of a run, unrelated to its neighbours'.
+inline std::uint64_t scene_seed(std::uint64_t run_seed, std::uint64_t index) {
+  return Dice(Dice(run_seed).bits() ^ (index * 0xd1342543de82ef95)).bits();
+}
+
+} // namespace rt::tools::oracle

@@ -1,0 +1,260 @@
+#include "tools/oracle/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rt::tools::oracle {
+namespace {
+
+Block block(std::string head) { return {std::move(head), {}, {}, {}, {}, false}; }
+
+std::string color(Dice& dice) {
+  switch (dice.below(5)) {
+  case 0: return fmt::format("#{:06x}", dice.below(0x1000000));
+  case 1: return fmt::format("hsv({}, {}, {})", text(dice.between(0, 360)), text(dice.unit()), text(dice.between(0.4, 1)));
+  case 2: return fmt::format("rgb({}, {}, {})", text(dice.unit()), text(dice.unit()), text(dice.unit()));
+  case 3: return text(dice.between(0.2, 1)); // a number is grey
+  default: {
+    constexpr const char* names[] = {"peru", "teal", "gold_", "orchid", "white", "tomato", "khaki", "skyblue"};
+    const std::string name = names[dice.below(8)];
+    return name == "gold_" ? "darkorange" : name;
+  }
+  }
+}
+
+Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& value) {
+  Block b = block("checker");
+  for (const char* part : {"a", "b"}) {
+    if (depth < 2 && dice.chance(0.15)) b.set(part, checker(dice, depth + 1, value));
+    else b.set(part, value(dice));
+  }
+  if (dice.chance(0.7)) b.set("scale", dice.chance(0.7) ? text(dice.between(0.2, 0.8)) : text(dice.vector(0.2, 0.9)));
+  if (dice.chance(0.4)) b.set("rotate", text(dice.vector(-90, 90)));
+  if (dice.chance(0.4)) b.set("at", text(dice.vector(-0.5, 0.5)));
+  return b;
+}
+
+// POV-Ray keeps an index of refraction in 32 bits: multiples of 1/64 are exact there, and others show that the check
+// knows why they differ.
+std::string ior(Dice& dice) { return dice.chance(0.9) ? text((64 + dice.below(90)) / 64.0) : text(dice.between(1, 2.4)); }
+
+void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
+  const auto number = [&](Dice& d) { return text(d.between(low, high)); };
+  if (dice.chance(0.1)) material.set(name, checker(dice, 0, number));
+  else material.set(name, number(dice));
+}
+
+Block opaque(Dice& dice) {
+  Block m = block("material");
+  if (dice.chance(0.25)) m.set("color", checker(dice, 0, color));
+  else m.set("color", color(dice));
+  if (dice.chance(0.25)) set_number(dice, m, "ambient", 0, 1.5);
+  if (dice.chance(0.4)) set_number(dice, m, "diffuse", 0.2, 1);
+  if (dice.chance(0.12)) set_number(dice, m, "emission", 0.1, 0.6);
+  if (dice.chance(0.5)) {
+    m.set("specular", text(dice.between(0.1, 1)));
+    if (dice.chance(0.8)) m.set("shininess", text(std::exp(dice.between(0, 5.5))));
+    if (dice.chance(0.4)) m.set("highlight", dice.chance(0.85) ? "phong" : "blinn");
+  }
+  if (dice.chance(0.3)) m.set("metallic", text(dice.chance(0.3) ? 1 : dice.unit()));
+  if (dice.chance(0.3)) m.set("reflect", dice.chance(0.7) ? text(dice.between(0.05, 0.6)) : color(dice));
+  return m;
+}
+
+void make_clear(Dice& dice, Block& m, const std::string& index) {
+  m.set("refract", text(dice.chance(0.2) ? 1 : dice.between(0.4, 0.98)));
+  if (!index.empty()) m.set("ior", index);
+  if (dice.chance(0.45)) m.set("fresnel", "true");
+}
+
+// At a place that fits into the picture, where the eye sees something of it.
+Block floor(Dice& dice) {
+  Block b = block("plane");
+  if (dice.chance(0.6)) b.set("y", text(dice.between(-1.6, -1.1)));
+  else b.set("normal", text(Vec3{dice.between(-0.3, 0.3), 1, dice.between(-0.2, 0.3)})).set("offset", text(dice.between(-2.2, -1.6)));
+  Block m = opaque(dice);
+  // Cells far away hang on the last digits of a ray that was mirrored before.
+  std::erase_if(m.props, [](const Prop& p) { return !p.block.empty(); });
+  return b.set("material", std::move(m));
+}
+
+// A tray: what a patterned floor would show, but finite.
+Block tray(Dice& dice) {
+  Block b = dice.chance(0.5) ? block("disc").set("radius", text(dice.between(3, 5)))
+                             : block("box").set("size", text(Vec3{dice.between(5, 9), 0.2, dice.between(5, 9)}));
+  return b.set("at", text(Vec3{0, dice.between(-1.6, -1.2), 0})).set("material", opaque(dice));
+}
+
+// A shape under a name, placed several times: the description holds it once.
+void add_copies(Dice& dice, Block& file) {
+  Block shape = block("group");
+  for (int i = 0; i < 2; ++i) {
+    Block member = random_shape(dice, 1, false);
+    place(dice, member, 0.4);
+    if (dice.chance(0.5)) add_material(dice, member, false);
+    shape.things.push_back(std::move(member));
+  }
+  shape.head = "unit_" + std::to_string(file.things.size()) + " = group";
+  shape.is_definition = true;
+  const std::string name = shape.head.substr(0, shape.head.find(' '));
+  file.things.push_back(std::move(shape));
+  const int copies = 2 + dice.below(2);
+  for (int i = 0; i < copies; ++i) {
+    Block copy = block(name);
+    place(dice, copy, 2);
+    if (dice.chance(0.6)) add_material(dice, copy, false);
+    file.things.push_back(std::move(copy));
+  }
+}
+
+// Balls in a row by a loop, each from a definition with a parameter.
+void add_row(Dice& dice, Block& file) {
+  Block definition = block("def bead(r = 0.3)");
+  definition.is_definition = true;
+  definition.things.push_back(block("sphere").set("radius", "r"));
+  definition.things.push_back(block("disc").set("radius", "1.6 * r").set("normal", text(dice.direction())));
+  Block loop = block(fmt::format("for i in 0..<{}", 2 + dice.below(3)));
+  loop.is_definition = true;
+  Block bead = block("bead").set("r", fmt::format("{} + 0.05 * i", text(dice.between(0.15, 0.3))));
+  bead.set("at", fmt::format("{} + i * {}", text(dice.vector(-2, 0)), text(dice.vector(0.4, 1))));
+  add_material(dice, bead, false);
+  loop.things.push_back(std::move(bead));
+  file.things.push_back(std::move(definition));
+  file.things.push_back(std::move(loop));
+}
+
+void add_settings(Dice& dice, Block& file) {
+  if (dice.chance(0.8)) file.set("background", color(dice));
+  if (dice.chance(0.7)) file.set("ambient", dice.chance(0.5) ? text(dice.between(0, 0.4)) : color(dice));
+  if (dice.chance(0.6)) file.set("max_depth", std::to_string(dice.below(9)));
+  if (dice.chance(0.08)) file.set("samples", dice.chance(0.5) ? "4" : "9");
+}
+
+void add_flags(Dice& dice, Block& thing) {
+  if (dice.chance(0.08)) thing.set("casts_shadow", "false");
+  if (dice.chance(0.03)) thing.set("visible", "false");
+  if (dice.chance(0.1)) thing.set("name", "\"ball\"");
+}
+
+// A bubble, a marble or another glass, inside or half inside of a clear ball.
+Block nested(Dice& dice) {
+  Block b = block("group");
+  const double outer = dice.between(0.7, 1.1);
+  Block shell = block("sphere").set("radius", text(outer)), core = random_shape(dice, 1, true);
+  Block glass = opaque(dice);
+  make_clear(dice, glass, ior(dice));
+  shell.set("material", std::move(glass));
+  place(dice, core, dice.chance(0.5) ? 0.15 : 0.8);
+  core.set("scale", text(dice.between(0.3, 0.7)));
+  std::erase_if(core.props, [seen = false](const Prop& p) mutable {
+    const bool is_second = p.name == "scale" && std::exchange(seen, true);
+    return is_second;
+  });
+  add_material(dice, core, false);
+  b.things.push_back(std::move(shell));
+  b.things.push_back(std::move(core));
+  b.set("at", text(dice.vector(-1.5, 1.5)));
+  return b;
+}
+
+} // namespace
+
+void add_material(Dice& dice, Block& thing, bool is_in_solid) {
+  const double kind = dice.unit();
+  if (kind < 0.08) {
+    thing.set("material", color(dice));
+  } else if (kind < 0.16) {
+    thing.set("material", checker(dice, 0, color));
+  } else if (kind < 0.24 && !is_in_solid) {
+    constexpr const char* names[] = {"glass", "water", "diamond", "mirror", "gold", "silver", "copper", "chrome", "rubber", "matte"};
+    Block m = block(names[dice.below(10)]);
+    if (dice.chance(0.5)) m.set("color", color(dice));
+    thing.set("material", std::move(m));
+  } else {
+    Block m = opaque(dice);
+    if (!is_in_solid && dice.chance(0.35)) make_clear(dice, m, dice.chance(0.9) ? ior(dice) : "");
+    else if (dice.chance(0.1)) m.set("fresnel", "true").set("ior", ior(dice));
+    thing.set("material", std::move(m));
+  }
+}
+
+std::vector<Block> random_lights(Dice& dice) {
+  std::vector<Block> lights;
+  const int count = 1 + dice.below(3);
+  for (int i = 0; i < count; ++i) {
+    const Vec3 at{dice.between(-5, 5), dice.between(2.5, 7), dice.between(-1, 6)};
+    const int kind = dice.below(3);
+    Block light = block(kind == 0 ? "light" : kind == 1 ? "sun" : "spot");
+    double intensity = dice.between(0.3, 0.9);
+    if (kind == 1) light.set("direction", text(at * -dice.between(0.1, 1)));
+    else light.set("at", text(at));
+    if (kind == 2) {
+      const double angle = dice.between(10, 60);
+      light.set("look_at", text(dice.vector(-1, 1))).set("angle", text(angle));
+      if (dice.chance(0.7)) light.set("falloff", text(angle * dice.between(1, 2)));
+    }
+    if (kind != 1 && dice.chance(0.5)) {
+      const double d = dice.between(2, 8);
+      constexpr const char* laws[] = {"linear", "quadratic"};
+      if (dice.chance(0.3)) light.set("fade", "inverse_square"), intensity *= 30;
+      else light.set("fade", fmt::format("{}({})", laws[dice.below(2)], text(d))), intensity *= 2;
+    }
+    light.set("intensity", text(intensity));
+    if (dice.chance(0.5)) light.set("color", color(dice));
+    if (dice.chance(0.12)) light.set("shadows", "false");
+    if (dice.chance(0.1)) light.chain.push_back(fmt::format(".rotate(y: {})", text(dice.between(-40, 40))));
+    if (dice.chance(0.12)) {
+      Block around = block("group").set("rotate", text(dice.vector(-15, 15))).set("at", text(dice.vector(-0.4, 0.4)));
+      if (dice.chance(0.5)) around.set("scale", text(dice.vector(0.9, 1.2)));
+      around.things.push_back(std::move(light));
+      lights.push_back(std::move(around));
+    } else lights.push_back(std::move(light));
+  }
+  return lights;
+}
+
+Block random_camera(Dice& dice) {
+  Block camera = block("camera");
+  const Vec3 at = normalize(Vec3{dice.between(-1, 1), dice.between(-0.05, 0.8), dice.between(0.3, 1)}) * dice.between(5, 9);
+  camera.set("at", text(at)).set("look_at", text(dice.vector(-0.4, 0.4)));
+  if (dice.chance(0.3)) camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * dice.between(0.5, 2)));
+  if (dice.chance(0.25)) camera.set("projection", "orthographic").set("width", text(dice.between(4, 8)));
+  else if (dice.chance(0.8)) camera.set("fov", text(dice.between(25, 75)));
+  return camera;
+}
+
+Block random_scene(Dice& dice, Mode mode) {
+  Block file;
+  const bool is_color = mode == Mode::color;
+  if (is_color) add_settings(dice, file);
+  file.things.push_back(random_camera(dice));
+  if (is_color)
+    for (Block& light : random_lights(dice)) file.things.push_back(std::move(light));
+  if (dice.chance(0.5)) file.things.push_back(floor(dice));
+  else if (dice.chance(0.6)) file.things.push_back(tray(dice));
+  const int count = is_color ? 2 + dice.below(4) : 1 + dice.below(4);
+  for (int i = 0; i < count; ++i) {
+    Block thing = random_shape(dice, 0, false);
+    place(dice, thing, 1.8);
+    if (is_color && dice.chance(0.9)) add_material(dice, thing, false);
+    // A part of a solid with a surface of its own.
+    if (is_color && thing.head != "group" && !thing.things.empty() && dice.chance(0.5)) add_material(dice, thing.things.back(), true);
+    if (is_color && thing.head == "group" && dice.chance(0.6)) add_material(dice, thing.things.front(), false);
+    add_flags(dice, thing);
+    file.things.push_back(std::move(thing));
+  }
+  if (is_color && dice.chance(0.3)) file.things.push_back(nested(dice));
+  if (dice.chance(0.2)) add_copies(dice, file);
+  if (dice.chance(0.1)) add_row(dice, file);
+  if (is_color && dice.chance(0.08)) {
+    // The eye inside a solid.
+    Block m = opaque(dice);
+    std::erase_if(m.props, [](const Prop& p) { return p.name == "diffuse" || p.name == "ambient"; });
+    make_clear(dice, m, ior(dice));
+    file.things.push_back(block("sphere").set("radius", text(dice.between(0.8, 2))).set("at", file.things.front().props.front().text).set("material", std::move(m)));
+  }
+  return file;
+}
+
+} // namespace rt::tools::oracle

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "tools/oracle/dice.hpp"
+#include "tools/oracle/scene_tree.hpp"
+
+/// Random scenes over everything that POV-Ray can compute too.
+namespace rt::tools::oracle {
+
+enum class Mode : std::uint8_t {
+  color,    ///< whole pictures
+  geometry, ///< shapes and transforms alone, more of them
+};
+
+/// Lengths are of the order of 1: POV-Ray's limits are lengths of 1e-4 and 1e-3.
+Block random_scene(Dice& dice, Mode mode);
+
+/// Parts of it, each in a file of its own.
+Block random_shape(Dice& dice, int depth, bool is_solid);
+void add_material(Dice& dice, Block& thing, bool is_in_solid);
+std::vector<Block> random_lights(Dice& dice);
+Block random_camera(Dice& dice);
+/// Adds `at`, `rotate`, `scale` and a chain.
+void place(Dice& dice, Block& thing, double reach);
+
+} // namespace rt::tools::oracle

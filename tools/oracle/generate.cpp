@@ -41,7 +41,7 @@ std::string ior(Dice& dice) { return dice.chance(0.9) ? text((64 + dice.below(90
 
 void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
   const auto number = [&](Dice& d) { return text(d.between(low, high)); };
-  if (dice.chance(0.1)) material.set(name, checker(dice, 0, number));
+  if (dice.chance(0.2)) material.set(name, checker(dice, 0, number));
   else material.set(name, number(dice));
 }
 
@@ -51,7 +51,7 @@ Block opaque(Dice& dice) {
   else m.set("color", color(dice));
   if (dice.chance(0.25)) set_number(dice, m, "ambient", 0, 1.5);
   if (dice.chance(0.4)) set_number(dice, m, "diffuse", 0.2, 1);
-  if (dice.chance(0.12)) set_number(dice, m, "emission", 0.1, 0.6);
+  if (dice.chance(0.15)) set_number(dice, m, "emission", 0.1, 0.6);
   if (dice.chance(0.5)) {
     m.set("specular", text(dice.between(0.1, 1)));
     if (dice.chance(0.8)) m.set("shininess", text(std::exp(dice.between(0, 5.5))));
@@ -133,7 +133,7 @@ void add_settings(Dice& dice, Block& file) {
 
 void add_flags(Dice& dice, Block& thing) {
   if (dice.chance(0.08)) thing.set("casts_shadow", "false");
-  if (dice.chance(0.03)) thing.set("visible", "false");
+  if (dice.chance(0.05)) thing.set("visible", "false");
   if (dice.chance(0.1)) thing.set("name", "\"ball\"");
 }
 
@@ -163,7 +163,7 @@ Block nested(Dice& dice) {
 void add_material(Dice& dice, Block& thing, bool is_in_solid) {
   const double kind = dice.unit();
   if (kind < 0.08) {
-    thing.set("material", color(dice));
+    thing.set("material", fmt::format("linear_rgb({}, {}, {})", text(dice.unit()), text(dice.unit()), text(dice.unit())));
   } else if (kind < 0.16) {
     thing.set("material", checker(dice, 0, color));
   } else if (kind < 0.24 && !is_in_solid) {
@@ -202,7 +202,8 @@ std::vector<Block> random_lights(Dice& dice) {
     }
     light.set("intensity", text(intensity));
     if (dice.chance(0.5)) light.set("color", color(dice));
-    if (dice.chance(0.12)) light.set("shadows", "false");
+    // POV-Ray has no spotlight without shadows.
+    if (kind != 2 && dice.chance(0.12)) light.set("shadows", "false");
     if (dice.chance(0.1)) light.chain.push_back(fmt::format(".rotate(y: {})", text(dice.between(-40, 40))));
     if (dice.chance(0.12)) {
       Block around = block("group").set("rotate", text(dice.vector(-15, 15))).set("at", text(dice.vector(-0.4, 0.4)));

@@ -24,6 +24,7 @@ public:
 
   Exported run() {
     for (const Object& object : scene_.objects) count_uses(object);
+    has_media_ = std::any_of(scene_.materials.begin(), scene_.materials.end(), needs_interior);
     Writer objects = write_objects();
     Writer out;
     header(out);
@@ -49,6 +50,10 @@ private:
     bool in_solid = false;
     bool in_shadowless = false;
     bool is_inside = false; ///< of any composite
+    Map to_scene;           ///< from the space that the object is placed in
+    /// Groups are taken apart; what each member says after its own transforms, if it has no texture of its own and if it has.
+    bool is_apart = false;
+    std::string after_plain, after_textured;
   };
 
   void header(Writer& out) {
@@ -83,12 +88,14 @@ private:
       if (!scene_.lights.empty()) out.open("light_group");
       for (const Light& light : scene_.lights) {
         comment_origin(out, noun(light), light.name, light.origin);
+        if (const SpotLight* spot = std::get_if<SpotLight>(&light.source); spot && !spot->shadows)
+          inexact_.push_back({"POV-Ray has no spotlight without shadows: `shadowless` makes it shine in all directions", light.origin});
         write_light(out, light, scene_.camera);
       }
       objects(out, scene_.objects, {});
       if (!scene_.lights.empty()) out.close("global_lights off");
       break;
-    case Pass::ids: objects(out, scene_.objects, {.is_textured = true}); break;
+    case Pass::ids: objects(out, scene_.objects, textured()); break;
     case Pass::depth: everything(out, "union", depth_texture); break;
     case Pass::normals:
       write_normal_lights(out);
@@ -101,8 +108,14 @@ private:
   void everything(Writer& out, std::string_view head, std::string_view texture) {
     if (std::none_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& o) { return has_surface(o); })) return;
     out.open(head);
-    objects(out, scene_.objects, {.is_textured = true});
+    objects(out, scene_.objects, textured());
     out.close(texture);
+  }
+
+  static Around textured() {
+    Around around;
+    around.is_textured = true;
+    return around;
   }
 
   void objects(Writer& out, const std::vector<Object>& list, const Around& around) {
@@ -133,11 +146,22 @@ private:
     if (options_.pass == Pass::color) modifiers = surface(o, around, inside) + shadow(o, around, inside);
     if (options_.pass == Pass::ids && !around.in_solid && o.shape.kind != kind_of<Group>)
       modifiers = fmt::format(" {}", id_texture(++last_id_));
-    modifiers += transforms(placement_of(o));
+    const Placement placement = placement_of(scene_, o);
+    inside.to_scene = then(map_of(placement), around.to_scene);
+    if (options_.pass == Pass::color) modifiers += eye(o, inside);
+    const bool has_texture = modifiers.find(" texture {") != std::string::npos;
+    modifiers += transforms(placement) + (has_texture ? around.after_textured : around.after_plain);
     // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only in
     // `scale`: not in `matrix`.
-    if (!around.is_inside && has_smooth(o)) modifiers += " scale 1";
+    const std::string last = !around.is_inside && has_smooth(o) ? " scale 1" : "";
+    modifiers += last;
     inside.is_inside = true;
+    if (o.shape.kind == kind_of<Group> && options_.pass == Pass::color && !around.in_solid && (around.is_apart || must_be_apart(o, inside))) {
+      inside.is_apart = true;
+      inside.after_plain = modifiers;
+      inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + transforms(placement) + around.after_textured + last;
+      return objects(out, members(o.shape), inside);
+    }
     if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
     else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
     else {
@@ -169,6 +193,38 @@ private:
     const Material* medium = o.material != no_material && material(o.material).refract > 0 ? &material(o.material)
                                                                                            : refracting_part(o, around.material);
     return fmt::format("{} {}", text, interior(medium ? *medium : material(inside.material)));
+  }
+
+  // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of what
+  // is none outwards, which changes nothing else, because normals are turned to the viewer.
+  std::string eye(const Object& o, const Around& inside) {
+    if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group> || !holds_eye(o, inside.to_scene)) return {};
+    if (is_medium(o, inside.material)) {
+      if (++media_around_eye_ == 2)
+        inexact_.push_back({"the eye is inside more than one transparent solid, and POV-Ray does not say which it takes for the inner one", o.origin});
+      return {};
+    }
+    return " inverse";
+  }
+
+  bool holds_eye(const Object& o, const Map& to_scene) const { return holds_in_povray(scene_, o, to_scene, scene_.camera.at); }
+
+  bool is_medium(const Object& o, MaterialId inherited) const {
+    return !is_open(scene_.shapes, o.shape) && refracting_part(o, inherited) != nullptr;
+  }
+
+  // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
+  bool must_be_apart(const Object& o, const Around& inside) const {
+    if (!has_media_) return false;
+    for (const Object& member : members(o.shape)) {
+      if (!member.is_visible) continue;
+      Around next = inside;
+      next.to_scene = then(map_of(placement_of(scene_, member)), inside.to_scene);
+      if (member.shape.kind == kind_of<Group> ? must_be_apart(member, next)
+                                              : holds_eye(member, next.to_scene))
+        return true;
+    }
+    return false;
   }
 
   bool has_interior(const Object& o, MaterialId inherited) const {
@@ -216,7 +272,7 @@ private:
   void composite(Writer& out, std::string_view word, ShapeRef shape, const Around& inside, const std::string& modifiers,
                  std::uint32_t uses) {
     // Ids tell the members of instances apart: there every instance is written out.
-    if (uses > 1 && (options_.pass != Pass::ids || inside.in_solid)) {
+    if (uses > 1 && !inside.is_apart && (options_.pass != Pass::ids || inside.in_solid)) {
       out.line(fmt::format("object {{ {}{} }}", declared(word, shape, inside), modifiers));
       return;
     }
@@ -257,12 +313,6 @@ private:
     return id == no_material ? white_matte_ : scene_.materials[static_cast<std::size_t>(id)];
   }
 
-  Placement placement_of(const Object& o) const {
-    Placement placement = o.turn == no_turn ? Placement{} : scene_.turns[static_cast<std::size_t>(o.turn)];
-    placement.at = o.at;
-    return placement;
-  }
-
   void count_uses(const Object& o) {
     if (!o.is_visible || !is_composite(o.shape)) return;
     const bool is_group = o.shape.kind == kind_of<Group>;
@@ -300,6 +350,8 @@ private:
   std::vector<Inexact> inexact_;
   Origin current_;
   std::uint32_t last_id_ = 0;
+  bool has_media_ = false; ///< any material asks for an index of refraction
+  int media_around_eye_ = 0;
 };
 
 } // namespace

@@ -32,6 +32,13 @@ void write_texture(Writer& out, const std::string& head, const scene::Scene& sce
 bool needs_interior(const scene::Material& material);
 std::string interior(const scene::Material& material);
 
+/// Whether POV-Ray takes the point, of the space that `placement` leads to, for inside the object.
+bool holds_in_povray(const scene::Scene& scene, const scene::Object& object, const Map& placement, const Vec3& point);
+/// Whether a shape has no inside for us, though it may have one for POV-Ray.
+bool is_open(const scene::Shapes& shapes, scene::ShapeRef shape);
+/// The object's placement in its parent, whole.
+scene::Placement placement_of(const scene::Scene& scene, const scene::Object& object);
+
 void write_light(Writer& out, const scene::Light& light, const scene::Camera& camera);
 void write_camera(Writer& out, const scene::Camera& camera, scene::Resolution size);
 

@@ -14,11 +14,11 @@ bool same(const FieldValue& a, const FieldValue& b) { return a == b; }
 
 // What is not a property: found by looking.
 const std::vector<std::string> structures{
-    "group", "union", "intersection", "difference", "solid in a solid", "group in a solid", "half-space in a solid",
+    "group", "union", "intersection", "difference", "solid in a solid", "half-space in a solid",
     "shared group", "group in a group", "scale", "scale, one factor", "mirrored by scale", "rotate", "step scale", "step rotate",
     "step rotate about an axis", "step move", "step shear", "step mirror", "step matrix", "step about a point", "material inherited",
     "material of a solid's part", "pattern color", "pattern ambient", "pattern diffuse", "pattern emission", "pattern in a pattern",
-    "pattern placed", "transparent", "transparent solid", "two transparent", "no shadow", "not visible", "name", "light in a group",
+    "pattern placed", "transparent", "transparent solid", "two transparent", "no shadow", "name", "light in a group",
     "light with a chain", "fade linear", "fade quadratic", "fade inverse_square", "several lights"};
 
 template <class T> void add_field_names(std::vector<std::string>& names, const std::string& noun) {
@@ -65,10 +65,7 @@ private:
   }
 
   void object(const Object& o, MaterialId inherited, int depth, bool in_solid) {
-    if (!o.is_visible) {
-      found_.insert("not visible");
-      return;
-    }
+    if (!o.is_visible) return;
     if (!o.casts_shadow) found_.insert("no shadow");
     if (o.name != no_name) found_.insert("name");
     if (o.turn != no_turn) placement(scene_.turns[static_cast<std::size_t>(o.turn)]);
@@ -82,8 +79,7 @@ private:
 
   void shape(const Group& g, const Object& o, MaterialId id, int depth, bool in_solid) {
     found_.insert("group");
-    if (in_solid) found_.insert("group in a solid");
-    else if (depth > 0) found_.insert("group in a group");
+    if (depth > 0) found_.insert("group in a group");
     ++uses_[o.shape.index];
     for (const Object& member : g.members) object(member, id, depth + 1, in_solid);
   }

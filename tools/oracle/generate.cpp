@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt::tools::oracle {
@@ -217,10 +218,12 @@ std::vector<Block> random_lights(Dice& dice) {
 
 Block random_camera(Dice& dice) {
   Block camera = block("camera");
-  const Vec3 at = normalize(Vec3{dice.between(-1, 1), dice.between(-0.05, 0.8), dice.between(0.3, 1)}) * dice.between(5, 9);
-  camera.set("at", text(at)).set("look_at", text(dice.vector(-0.4, 0.4)));
+  const bool is_orthographic = dice.chance(0.25);
+  // The whole of an orthographic view starts above the floor.
+  const Vec3 way{dice.between(-1, 1), is_orthographic ? dice.between(0.6, 1) : dice.between(-0.05, 0.8), dice.between(0.3, 1)};
+  camera.set("at", text(normalize(way) * (is_orthographic ? 9 : dice.between(5, 9)))).set("look_at", text(dice.vector(-0.4, 0.4)));
   if (dice.chance(0.3)) camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * dice.between(0.5, 2)));
-  if (dice.chance(0.25)) camera.set("projection", "orthographic").set("width", text(dice.between(4, 8)));
+  if (is_orthographic) camera.set("projection", "orthographic").set("width", text(dice.between(3, 5)));
   else if (dice.chance(0.8)) camera.set("fov", text(dice.between(25, 75)));
   return camera;
 }
@@ -230,9 +233,12 @@ Block random_scene(Dice& dice, Mode mode) {
   const bool is_color = mode == Mode::color;
   if (is_color) add_settings(dice, file);
   file.things.push_back(random_camera(dice));
+  const auto& view = file.things.back().props;
+  const bool is_orthographic = std::any_of(view.begin(), view.end(), [](const Prop& p) { return p.name == "projection"; });
   if (is_color)
     for (Block& light : random_lights(dice)) file.things.push_back(std::move(light));
-  if (dice.chance(0.5)) file.things.push_back(floor(dice));
+  // Rays of an orthographic view start all over the place: for POV-Ray some would start inside a slanted floor.
+  if (dice.chance(0.5) && !is_orthographic) file.things.push_back(floor(dice));
   else if (dice.chance(0.6)) file.things.push_back(tray(dice));
   const int count = is_color ? 2 + dice.below(4) : 1 + dice.below(4);
   for (int i = 0; i < count; ++i) {

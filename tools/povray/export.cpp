@@ -24,6 +24,7 @@ public:
 
   Exported run() {
     for (const Object& object : scene_.objects) count_uses(object);
+    eyes_ = ray_origins(scene_.camera, scene_.size);
     has_media_ = std::any_of(scene_.materials.begin(), scene_.materials.end(), needs_interior);
     Writer objects = write_objects();
     Writer out;
@@ -162,6 +163,9 @@ private:
       inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + transforms(placement) + around.after_textured + last;
       return objects(out, members(o.shape), inside);
     }
+    inside.is_apart = false;
+    inside.after_plain.clear();
+    inside.after_textured.clear();
     if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
     else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
     else {
@@ -198,16 +202,24 @@ private:
   // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of what
   // is none outwards, which changes nothing else, because normals are turned to the viewer.
   std::string eye(const Object& o, const Around& inside) {
-    if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group> || !holds_eye(o, inside.to_scene)) return {};
+    if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group>) return {};
+    const std::size_t held = held_eyes(o, inside.to_scene);
+    if (held == 0) return {};
     if (is_medium(o, inside.material)) {
       if (++media_around_eye_ == 2)
         inexact_.push_back({"the eye is inside more than one transparent solid, and POV-Ray does not say which it takes for the inner one", o.origin});
       return {};
     }
+    if (held < eyes_.size())
+      inexact_.push_back({"a part of the view's rays starts inside of this: POV-Ray takes it for a medium", o.origin});
     return " inverse";
   }
 
-  bool holds_eye(const Object& o, const Map& to_scene) const { return holds_in_povray(scene_, o, to_scene, scene_.camera.at); }
+  // How many of the points where rays start are inside.
+  std::size_t held_eyes(const Object& o, const Map& to_scene) const {
+    return static_cast<std::size_t>(
+        std::count_if(eyes_.begin(), eyes_.end(), [&](const Vec3& eye) { return holds_in_povray(scene_, o, to_scene, eye); }));
+  }
 
   bool is_medium(const Object& o, MaterialId inherited) const {
     return !is_open(scene_.shapes, o.shape) && refracting_part(o, inherited) != nullptr;
@@ -221,7 +233,7 @@ private:
       Around next = inside;
       next.to_scene = then(map_of(placement_of(scene_, member)), inside.to_scene);
       if (member.shape.kind == kind_of<Group> ? must_be_apart(member, next)
-                                              : holds_eye(member, next.to_scene))
+                                              : held_eyes(member, next.to_scene) > 0)
         return true;
     }
     return false;
@@ -272,7 +284,7 @@ private:
   void composite(Writer& out, std::string_view word, ShapeRef shape, const Around& inside, const std::string& modifiers,
                  std::uint32_t uses) {
     // Ids tell the members of instances apart: there every instance is written out.
-    if (uses > 1 && !inside.is_apart && (options_.pass != Pass::ids || inside.in_solid)) {
+    if (uses > 1 && (options_.pass != Pass::ids || inside.in_solid)) {
       out.line(fmt::format("object {{ {}{} }}", declared(word, shape, inside), modifiers));
       return;
     }
@@ -352,6 +364,7 @@ private:
   std::uint32_t last_id_ = 0;
   bool has_media_ = false; ///< any material asks for an index of refraction
   int media_around_eye_ = 0;
+  std::vector<Vec3> eyes_;
 };
 
 } // namespace

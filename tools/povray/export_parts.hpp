@@ -40,6 +40,8 @@ bool is_open(const scene::Shapes& shapes, scene::ShapeRef shape);
 scene::Placement placement_of(const scene::Scene& scene, const scene::Object& object);
 
 void write_light(Writer& out, const scene::Light& light, const scene::Camera& camera);
+/// Where the view's rays start: the eye, or the middle and corners of an orthographic view.
+std::vector<Vec3> ray_origins(const scene::Camera& camera, scene::Resolution size);
 void write_camera(Writer& out, const scene::Camera& camera, scene::Resolution size);
 
 /// Declarations that `Pass::depth` needs, and the texture that shows the distance from the camera.

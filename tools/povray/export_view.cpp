@@ -71,21 +71,42 @@ void write_light(Writer& out, const Light& light, const Camera& camera) {
                        std::visit([&](const auto& source) { return body(source, light, camera); }, light.source)));
 }
 
-// The four vectors that POV-Ray's rays are made of: direction + x·right + y·up with x and y from −½ to ½, or, in an
-// orthographic view, location + x·right + y·up. Written like this, neither its handedness nor its field of view enters.
-void write_camera(Writer& out, const Camera& camera, Resolution size) {
+namespace {
+
+struct View {
+  Vec3 direction, right, up; // right and up as long as the picture is wide and high
+};
+
+View view_of(const Camera& camera, Resolution size) {
   const Vec3 forward = unit(camera.look_at - camera.at);
   const Vec3 right = unit(cross(forward, camera.up));
-  const Vec3 up = cross(right, forward);
   const bool is_orthographic = camera.projection == Projection::orthographic;
   const double width = is_orthographic ? camera.width : 2 * std::tan(camera.fov * (std::numbers::pi / 360));
   const double height = width * size[1] / size[0];
+  return {forward, right * width, cross(right, forward) * height};
+}
+
+} // namespace
+
+std::vector<Vec3> ray_origins(const Camera& camera, Resolution size) {
+  std::vector<Vec3> origins{camera.at};
+  if (camera.projection == Projection::perspective) return origins;
+  const View view = view_of(camera, size);
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) origins.push_back(camera.at + view.right * x + view.up * y);
+  return origins;
+}
+
+// The four vectors that POV-Ray's rays are made of: direction + x·right + y·up with x and y from −½ to ½, or, in an
+// orthographic view, location + x·right + y·up. Written like this, neither its handedness nor its field of view enters.
+void write_camera(Writer& out, const Camera& camera, Resolution size) {
+  const View view = view_of(camera, size);
   out.open("camera");
-  out.line(is_orthographic ? "orthographic" : "perspective");
+  out.line(camera.projection == Projection::orthographic ? "orthographic" : "perspective");
   out.line("location " + vector(camera.at));
-  out.line("direction " + vector(forward));
-  out.line("right " + vector(right * width));
-  out.line("up " + vector(up * height));
+  out.line("direction " + vector(view.direction));
+  out.line("right " + vector(view.right));
+  out.line("up " + vector(view.up));
   out.close();
 }
 

@@ -269,6 +269,7 @@ private:
       if (is_bent) cos2_behind = cos2_refracted(m.cosine, eta);
       if (cos2_behind < 0) {
         // Total internal reflection takes the place of both branches.
+        ++counts_.reflected;
         recorder_.total_reflection(passage, m.cosine);
         sum += passed * branch(RayKind::total_reflection, m, reflect(m.direction, m.normal), white, m.inside);
         return false;

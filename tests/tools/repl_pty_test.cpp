@@ -136,7 +136,9 @@ TEST_CASE("repl at a terminal: many lines can be pasted, marked as such or not")
 TEST_CASE("repl at a terminal: Tab completes nouns, properties, names, commands, colours and files") {
   const Home home;
   Terminal terminal(home);
-  terminal.type("sphe\t", "rtl> sphere");
+  terminal.type("tria\t", "rtl> triangle");
+  terminal.send("\x15"); // Ctrl-U
+  terminal.type("sphere", "rtl> sphere");
   terminal.type(" { rad\t", "rtl> sphere { radius");
   terminal.type(": 2, mat\t", "rtl> sphere { radius: 2, material");
   terminal.type(": corn\t", "rtl> sphere { radius: 2, material: corn");

@@ -1,5 +1,6 @@
 #include "lang/checker.hpp"
 #include "lang/suggest.hpp"
+#include "lang/thing.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -332,7 +333,7 @@ Known Checker::check_override(Unit& unit, NodeId node) {
 
 // Nothing but properties, each once and of one form: evaluated without further ado.
 bool Checker::is_simple(const Unit& unit, NodeId block, const Noun& noun) const {
-  if (noun.is_composite()) return false;
+  if (noun.is_composite() || unit.ast.children(block).size() > PropertyList::most) return false;
   int form = 0;
   std::uint64_t seen = 0;
   for (const NodeId item : unit.ast.children(block)) {

@@ -50,6 +50,7 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
 void Evaluator::repeat(NodeId node, const Context& context, Target& target) {
   Ast& ast = context.ast();
   const Repeat repeat = ast.repeat(node);
+  if (target.objects && repeat.count > target.objects->size()) target.objects->reserve(target.objects->size() + repeat.count);
   for (std::uint32_t i = 0; i < repeat.count; ++i) {
     ast.become(repeat, i);
     item(repeat.model, context, target);

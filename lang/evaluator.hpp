@@ -188,7 +188,7 @@ private:
   // Things (things.cpp)
   Value override_value(NodeId node, const Context& context);
   Value simple_thing(NodeId node, const Context& context);
-  std::size_t simple_properties(NodeId node, const Context& context, const Noun& noun, std::span<PropertyValue> room);
+  void simple_properties(NodeId node, const Context& context, const Noun& noun, PropertyList& properties);
   Value changed_thing(Value base, NodeId node, const Context& context);
   Value changed_record(const Record& base, NodeId node, const Context& context);
   Value as_material(const Record& record, Span place);
@@ -197,7 +197,6 @@ private:
   static void give_name(Thing& thing, Symbol symbol);
   scene::NameId default_name(Symbol symbol);
   void set_depth(Thing& thing, Span place);
-  static constexpr std::size_t most_properties = 64;
   static constexpr std::uint16_t most_depth = 1'000;
   static constexpr std::size_t most_instances = 1 << 16;
   Ref<Content> content_cell(const Thing& thing);

@@ -1,7 +1,6 @@
 #include "lang/evaluator.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <fmt/format.h>
 
@@ -37,9 +36,9 @@ bool Evaluator::is_poisoned(std::span<const PropertyValue> properties) {
 
 void Evaluator::put_simple(NodeId node, const Context& context, Target& target) {
   const Noun& noun = program_.nouns[static_cast<std::size_t>(context.ast()[node].extra - 1)];
-  std::array<PropertyValue, most_properties> room;
-  const std::size_t count = simple_properties(node, context, noun, room);
-  put_thing({&noun, {room.data(), count}, nullptr, context.ast().span(node), nullptr}, target);
+  PropertyList properties;
+  simple_properties(node, context, noun, properties);
+  put_thing({&noun, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
 }
 
 void Evaluator::put_thing(const Described& described, Target& target) {

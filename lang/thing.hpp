@@ -4,7 +4,11 @@
 #include "lang/value.hpp"
 #include "renderer/scene/scene.hpp"
 
+#include <cstddef>
+#include <memory>
+#include <new>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rt::lang {
@@ -14,6 +18,25 @@ struct PropertyValue {
   Value value;
   Span span; ///< of the value
   std::uint16_t id = 0;
+};
+
+/// A few properties on the stack: those of a thing that is put into the scene without ever being a value.
+class PropertyList {
+public:
+  static constexpr std::size_t most = 24;
+
+  PropertyList() = default;
+  PropertyList(const PropertyList&) = delete;
+  PropertyList& operator=(const PropertyList&) = delete;
+  ~PropertyList() { std::destroy_n(data(), size_); }
+  /// There must be room for one more.
+  PropertyValue& add() { return *new (data() + size_++) PropertyValue; }
+  std::span<PropertyValue> values() { return {data(), size_}; }
+
+private:
+  PropertyValue* data() { return reinterpret_cast<PropertyValue*>(memory_); }
+  alignas(PropertyValue) std::byte memory_[most * sizeof(PropertyValue)]; // not initialised: most of it is never used
+  std::size_t size_ = 0;
 };
 
 inline constexpr std::uint16_t parameter_bit = 0x8000;

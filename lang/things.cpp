@@ -4,7 +4,6 @@
 #include "lang/suggest.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace rt::lang {
@@ -68,12 +67,11 @@ Value Evaluator::override_value(NodeId node, const Context& context) {
   return fail(is_named ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes", "this is " + describe(base));
 }
 
-std::size_t Evaluator::simple_properties(NodeId node, const Context& context, const Noun& noun, std::span<PropertyValue> room) {
+void Evaluator::simple_properties(NodeId node, const Context& context, const Noun& noun, PropertyList& properties) {
   const Ast& ast = context.ast();
-  std::size_t count = 0;
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     const NodeId value_node = ast.named(item).value;
-    PropertyValue& p = room[count++];
+    PropertyValue& p = properties.add();
     p.id = static_cast<std::uint16_t>(ast[item].extra - 1);
     p.span = ast.span(value_node);
     p.value = expression(value_node, context);
@@ -84,15 +82,15 @@ std::size_t Evaluator::simple_properties(NodeId node, const Context& context, co
       p.value = Value::poison();
     }
   }
-  return count;
 }
 
 Value Evaluator::simple_thing(NodeId node, const Context& context) {
   const Noun& noun = program_.nouns[static_cast<std::size_t>(context.ast()[node].extra - 1)];
-  std::array<PropertyValue, most_properties> room;
-  const std::size_t count = simple_properties(node, context, noun, room);
+  PropertyList properties;
+  simple_properties(node, context, noun, properties);
   Ref<Thing> thing = new_thing(noun, context.ast().span(node));
-  thing->properties.assign(std::make_move_iterator(room.begin()), std::make_move_iterator(room.begin() + static_cast<std::ptrdiff_t>(count)));
+  const std::span<PropertyValue> values = properties.values();
+  thing->properties.assign(std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
   set_depth(*thing, thing->span);
   return thing;
 }

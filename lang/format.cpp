@@ -82,6 +82,7 @@ private:
   // One entry a line, from the line's beginning on.
   void items(Group& group, std::size_t indent) {
     const std::size_t outer_widest = widest_;
+    layout::mark_commas(group.entries);
     for (Entry& item : group.entries) {
       if (item.sign_column > 0 && is_too_wide(item, indent)) item.sign_column = 0; // it will be broken
     }
@@ -119,6 +120,7 @@ private:
   }
 
   void trailing_comment(const Entry& entry) {
+    if (entry.needs_comma) out_ += ',';
     if (entry.trailing_comment.empty()) return;
     out_ += ' ';
     comment(entry.trailing_comment);

@@ -152,6 +152,18 @@ bool break_more(Entry& entry, std::size_t (*flat_width)(Group&)) {
          in_groups('(', break_inner) || in_groups('[', break_inner);
 }
 
+void mark_commas(std::vector<Entry>& items) {
+  Entry* before = nullptr;
+  for (Entry& item : items) {
+    if (item.is_comment) continue;
+    const auto first = std::find_if(item.pieces.begin(), item.pieces.end(),
+                                    [](const Piece& piece) { return !is_comment(piece.kind); });
+    const bool is_odd = first != item.pieces.end() && (is_symbol(*first, "-") || first->text == "{");
+    if (before != nullptr) before->needs_comma = is_odd;
+    before = &item;
+  }
+}
+
 std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items) {
   const auto goes_on = [&](std::size_t i) {
     return items[i].sign_column == items[i - 1].sign_column && !items[i].follows_blank_line &&

@@ -25,6 +25,9 @@ void settle(Group& group);
 /// group as it is on one line.
 bool break_more(Entry& entry, std::size_t (*flat_width)(Group&));
 
+/// A line cannot begin with `-` or `{` unless a comma ends the item before it: marks the items that need one.
+void mark_commas(std::vector<Entry>& items);
+
 /// Where the writer has aligned the signs of consecutive items they stay aligned, as close as their names allow. Gives the
 /// column of each item's sign, counted from the item's beginning; 0 where a single space will do.
 std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items);

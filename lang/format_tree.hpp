@@ -27,6 +27,7 @@ struct Entry {
   bool begins_line = false;
   bool follows_blank_line = false;
   bool is_comment = false;
+  bool needs_comma = false; ///< though it ends its line, because of what the next one begins with
   /// Of an item that begins with a name and `=` or a block: how far that sign stands from the item's beginning. Where
   /// consecutive items agree, they are meant to be aligned.
   std::size_t sign_column = 0;

@@ -81,6 +81,12 @@ TEST_CASE("format: what is wider than 100 columns is broken, blocks before lists
         "xs = [\n  sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], material: ink }.rotate(turn)\n  for p in pips(n)\n]\n");
 }
 
+TEST_CASE("format: an item that cannot begin a line keeps the comma before it") {
+  CHECK(formatted("fn f(x) { y = x, -y // minus\n}") == "fn f(x) {\n  y = x,\n  -y // minus\n}\n");
+  CHECK(formatted("fn f(x) {\n y = x, // y\n { a: y } }") == "fn f(x) {\n  y = x, // y\n  { a: y }\n}\n");
+  CHECK(formatted("fn f(x) { -x }") == "fn f(x) { -x }\n");
+}
+
 TEST_CASE("format: lists keep their lines") {
   CHECK(formatted("m = [[1,0],\n [0,1]]") == "m = [\n  [1, 0]\n  [0, 1]\n]\n");
   CHECK(formatted("m = [\n1,0,\n\n0,1]") == "m = [\n  1, 0\n\n  0, 1\n]\n");

@@ -34,7 +34,7 @@ inline Film film_of(const scene::Scene& scene) {
   return render(scene, options).film;
 }
 
-inline Checked check(scene::Scene scene) {
+inline Checked check_scene(scene::Scene scene) {
   Checked c{std::move(scene), {}, {}, {}};
   REQUIRE(tools::povray::export_povray(c.scene).inexact.empty());
   c.film = film_of(c.scene);

@@ -114,7 +114,7 @@ TEST_CASE("check: 0 when every gate holds, 1 when one does not, a page and JSON 
 }
 
 TEST_CASE("check: an explained pixel is named with its object, line and cause") {
-  const Checked c = check(scene_of("size: [60, 45]\ncamera { at: [0, 1, 4] }\nlight { at: [2, 4, 3] }\n"
+  const Checked c = check_scene(scene_of("size: [60, 45]\ncamera { at: [0, 1, 4] }\nlight { at: [2, 4, 3] }\n"
                                    "sphere { radius: 0.00002, at: [0, 1, 3.99995] }\nsphere { name: \"ball\" }\n"));
   // The tiny sphere is nearer to the eye than 1e-4: POV-Ray looks through it.
   REQUIRE_FALSE(c.comparison.outliers.empty());

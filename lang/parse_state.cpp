@@ -56,8 +56,8 @@ void ParseState::deeper(std::uint32_t at) {
 }
 
 void ParseState::too_deep(std::uint32_t begin, std::uint32_t end) {
-  report(syntax_error("E0125", span(begin, end), "this is nested too deeply",
-                      "give inner parts names, or use a list or a loop"));
+  add(syntax_error("E0125", span(begin, end), "this is nested too deeply",
+                   "give inner parts names, or use a list or a loop"));
 }
 
 ParseState::Closing ParseState::not_closed(std::uint32_t before, std::uint32_t at) {
@@ -80,12 +80,15 @@ ParseState::Closing ParseState::not_closed(std::uint32_t before, std::uint32_t a
   fail(Expected::closing_bracket, at);
 }
 
-void ParseState::report(Diagnostic diagnostic) {
+void ParseState::add(Diagnostic diagnostic) {
   const bool is_known = std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) {
     return d.code == diagnostic.code && d.span == diagnostic.span; // a place may be tried more than once
   });
-  if (is_known) return;
-  diagnostics.push_back(std::move(diagnostic));
+  if (!is_known) diagnostics.push_back(std::move(diagnostic));
+}
+
+void ParseState::report(Diagnostic diagnostic) {
+  add(std::move(diagnostic));
   if (diagnostics.size() < most_errors) return;
   diagnostics.back().notes.push_back({std::nullopt, "too many errors: the rest of the file was not looked at"});
   throw SyntaxError{static_cast<std::uint32_t>(text.size()), true};

@@ -83,7 +83,7 @@ public:
   void close_param(std::uint32_t end);
   void close_expect(std::uint32_t end);
 
-  /// Records and goes on.
+  /// Records and goes on; throws SyntaxError where there have been too many.
   void report(Diagnostic diagnostic);
   void complain(Complaint complaint, std::uint32_t begin, std::uint32_t end);
   [[noreturn]] void fail(Expected expected, std::uint32_t at);
@@ -107,6 +107,7 @@ public:
 
 private:
   SyntaxPlace place(std::uint32_t at) const { return {text, file, at, item_, item_follows_line_, open_}; }
+  void add(Diagnostic diagnostic);
   [[noreturn]] void fail_at_end();
   void leave_item(const Checkpoint& checkpoint);
   bool begins_foreign_vector(std::uint32_t at) const;

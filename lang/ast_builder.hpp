@@ -71,12 +71,12 @@ public:
   void open_suffix() { marks_.push_back({count() - 1, operands_.back().begin, no_symbol}); }
   Mark& mark() { return marks_.back(); }
   std::uint32_t parts() const { return count() - marks_.back().operands; } ///< finished since the last `open`
-  void close_children(Kind kind, std::uint32_t end);      ///< block, list (or numbers), record
-  void close_named(Kind kind);                            ///< property, argument: the value
-  void close_pair(Kind kind, std::uint32_t end);          ///< two parts in a and b: bind, parameter, if without its rest
-  void close_linked_head(Kind kind, std::uint32_t end);   ///< first part in a, the others in links: param, if
-  void close_loop(Kind kind, std::uint32_t end);          ///< for, clause: one or two names, head, body
-  void close_function(Kind kind, std::uint32_t end);      ///< def, fn, lambda: name, parameters, body
+  void close_children(Kind kind, std::uint32_t end);                       ///< block, list (or numbers), record
+  void close_named(Kind kind);                                             ///< property, argument: the value
+  void close_pair(Kind kind, std::uint32_t end);        ///< two parts in a and b: bind, parameter, if without its rest
+  void close_linked_head(Kind kind, std::uint32_t end); ///< first part in a, the others in links: param, if
+  void close_loop(Kind kind, std::uint32_t end);        ///< for, clause: one or two names, head, body
+  void close_function(Kind kind, std::uint32_t end);    ///< def, fn, lambda: name, parameters, body
   void close_counted(Kind kind, std::uint32_t end, std::uint32_t fixed); ///< links; b counts those after `fixed`
   void close_text(Kind kind, std::uint32_t end);          ///< include, use: a string, then perhaps a name
   void close_expect(Claim claim, std::uint32_t end);      ///< four parts
@@ -84,8 +84,8 @@ public:
 
   // Suffixes of the last operand
   void member(Symbol symbol, std::uint32_t end);
-  void index(std::uint32_t end);     ///< base and index
-  void override_block();             ///< base and block
+  void index(std::uint32_t end); ///< base and index
+  void override_block();         ///< base and block
 
   // Operators in the order of their precedence: the operands come by themselves
   void open_expression() { frames_.push_back(static_cast<std::uint32_t>(operators_.size())); }

@@ -14,15 +14,6 @@ namespace {
 constexpr std::size_t tab_width = 4;
 constexpr std::size_t widest_line = 100; // what does not fit is clipped around the carets
 
-std::string_view word(Severity severity) {
-  switch (severity) {
-  case Severity::note: return "note";
-  case Severity::warning: return "warning";
-  case Severity::error: break;
-  }
-  return "error";
-}
-
 // A message may quote the scene: what would steer the terminal is shown as a replacement character.
 std::string harmless(std::string_view text) {
   std::string out;
@@ -108,8 +99,8 @@ public:
   std::string render(const Diagnostic& diagnostic) {
     gutter_ = gutter(diagnostic);
     const std::string_view color = color_of(diagnostic.severity);
-    paint(color, diagnostic.code.empty() ? std::string(word(diagnostic.severity))
-                                         : fmt::format("{}[{}]", word(diagnostic.severity), diagnostic.code));
+    paint(color, diagnostic.code.empty() ? std::string(spelling(diagnostic.severity))
+                                         : fmt::format("{}[{}]", spelling(diagnostic.severity), diagnostic.code));
     paint(bold, ": " + harmless(diagnostic.message));
     out_ += '\n';
     const bool is_about_all = diagnostic.severity == Severity::note && diagnostic.span.begin == diagnostic.span.end;
@@ -155,9 +146,7 @@ private:
     return std::to_string(line).size();
   }
 
-  void bar(std::string_view number) {
-    paint(blue, fmt::format("{:>{}} |", number, gutter_));
-  }
+  void bar(std::string_view number) { paint(blue, fmt::format("{:>{}} |", number, gutter_)); }
 
   void advice(std::string_view text) {
     paint(blue, fmt::format("{:>{}} =", "", gutter_));
@@ -223,6 +212,15 @@ private:
 };
 
 } // namespace
+
+std::string_view spelling(Severity severity) {
+  switch (severity) {
+  case Severity::note: return "note";
+  case Severity::warning: return "warning";
+  case Severity::error: break;
+  }
+  return "error";
+}
 
 std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color) {
   return Renderer(sources, use_color).render(diagnostic);

@@ -10,6 +10,7 @@
 namespace rt::lang {
 
 enum class Severity : std::uint8_t { note, warning, error };
+std::string_view spelling(Severity severity);
 
 /// A further place that belongs to a diagnostic, or a line of advice without a place.
 struct Note {

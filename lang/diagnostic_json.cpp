@@ -8,15 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view word(Severity severity) {
-  switch (severity) {
-  case Severity::note: return "note";
-  case Severity::warning: return "warning";
-  case Severity::error: break;
-  }
-  return "error";
-}
-
 void put_place(Json& out, Span span, const SourceMap& sources) {
   const Position begin = sources.position(span.file, span.begin);
   const Position end = sources.position(span.file, span.end);
@@ -54,7 +45,7 @@ Json inclusions(FileId file, const SourceMap& sources) {
 std::string render_json(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {
   Json out = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) {
-    Json entry{{"severity", word(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
+    Json entry{{"severity", spelling(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
     put_place(entry, diagnostic.span, sources);
     entry["label"] = diagnostic.label;
     entry["notes"] = notes(diagnostic.notes, sources);

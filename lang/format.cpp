@@ -195,7 +195,8 @@ private:
     } else if (i > 0) {
       out_ += ' ';
     }
-    const bool is_last_of_line = i + 1 < group.entries.size() ? group.entries[i + 1].begins_line : group.ends_on_new_line;
+    const bool is_last_of_line =
+        i + 1 < group.entries.size() ? group.entries[i + 1].begins_line : group.ends_on_new_line;
     const bool is_indented = group.entries.front().begins_line || entry.begins_line;
     if (entry.begins_line && is_last_of_line) return fitting(entry, indent + step);
     pieces(entry, is_indented ? indent + step : indent);

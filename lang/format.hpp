@@ -7,9 +7,9 @@
 
 namespace rt::lang {
 
-/// A scene's text in the house's layout: two spaces for each open bracket, one item a line where a block has several lines
-/// or would be longer than 100 columns, comments and single blank lines kept. It says what the text said (`equal` trees),
-/// and formatting it again changes nothing.
+/// A scene's text in the house's layout: two spaces for each open bracket, one item a line where a block has several
+/// lines or would be longer than 100 columns, comments and single blank lines kept. It says what the text said (`equal`
+/// trees), and formatting it again changes nothing.
 struct Formatted {
   std::string text;                    ///< the text as it was, if it has syntax errors
   std::vector<Diagnostic> diagnostics; ///< the syntax errors

@@ -21,9 +21,7 @@ bool is_symbol(const Piece& piece, std::string_view text) {
   return piece.kind == TokenKind::symbol && piece.text == text;
 }
 
-bool is_tight(const Piece& piece) {
-  return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<");
-}
+bool is_tight(const Piece& piece) { return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<"); }
 
 // Whether the piece is a sign, not a subtraction.
 bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {

@@ -4,13 +4,13 @@
 
 #include <tao/pegtl.hpp>
 
-/// The grammar of the language, included by parse.cpp alone. Every rule decides by what stands next, so that actions never
-/// have to be undone except after an error; the order of operators is the builder's business.
+/// The grammar of the language, included by parse.cpp alone. Every rule decides by what stands next, so that actions
+/// never have to be undone except after an error; the order of operators is the builder's business.
 namespace rt::lang::grammar {
 
 namespace peg = tao::pegtl;
-using peg::at, peg::eof, peg::not_at, peg::one, peg::opt, peg::plus, peg::seq, peg::sor, peg::star,
-    peg::string, peg::success, peg::until;
+using peg::at, peg::eof, peg::not_at, peg::one, peg::opt, peg::plus, peg::seq, peg::sor, peg::star, peg::string,
+    peg::success, peg::until;
 
 // Rules that depend on what has been read -------------------------------------------------------------------------
 
@@ -203,8 +203,7 @@ struct own_block : seq<gap, opt<misplaced_brace>, block> {};
 struct record : seq<when<&ParseState::block_may_follow>, block_begin, bracketed<'{', '}', items>> {};
 
 template <typename Item>
-struct comma_separated
-    : seq<gap, opt<Item, star<gap, comma, gap, Item>, opt<gap, comma>>> {};
+struct comma_separated : seq<gap, opt<Item, star<gap, comma, gap, Item>, opt<gap, comma>>> {};
 
 struct loop_name : plain_word {};
 struct loop_in : keyword<Word::in_> {};
@@ -217,8 +216,8 @@ struct filter_begin : keyword<Word::if_> {};
 struct filter : seq<filter_begin, wide_gap, required<expression>> {};
 struct comprehension_rest : seq<clause, star<wide_gap, sor<clause, filter>>> {};
 
-// What stands for itself, for speed: most values are numbers and names with nothing behind them. All of it could be parsed
-// as an expression, to the same effect.
+// What stands for itself, for speed: most values are numbers and names with nothing behind them. All of it could be
+// parsed as an expression, to the same effect.
 struct plain_number_text
     : seq<opt<one<'-'>>, digits, opt<fraction>, opt<exponent>, not_at<sor<peg::identifier_other, one<'.'>>>> {};
 struct plain_number : seq<plain_number_text, star<blank>, at<one<',', ']', '}', '\n', ';'>>> {};
@@ -230,7 +229,8 @@ struct next_line : seq<newlines, not_at<item_here>> {};
 struct value_gap : seq<narrow_gap, opt<at<newline>, required<next_line>>> {};
 
 struct list_begin : at<one<'['>> {};
-struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<when<&ParseState::follows_line>, item_here>, not_at<eof>, required<value>> {};
+struct more_elements : star<separator, not_at<one<']', '}', ')'>>, not_at<when<&ParseState::follows_line>, item_here>,
+                            not_at<eof>, required<value>> {};
 struct list_content
     : seq<wide_gap, opt<not_at<one<']'>>, required<value>, sor<seq<wide_gap, comprehension_rest>, more_elements>,
                         opt<separator, at<one<']'>>>>> {};
@@ -270,14 +270,12 @@ struct prefix : sor<minus, seq<at<one<'n'>>, prefix_not>, foreign_prefix> {};
 struct operand_rest : seq<primary, suffixes> {};
 struct operand : sor<seq<plus<prefix, wide_gap>, required<operand_rest>>, operand_rest> {};
 
-struct infix_symbol
-    : sor<string<'.', '.', '<'>, string<'.', '.'>, string<'=', '='>, string<'!', '='>, string<'<', '='>,
-          string<'>', '='>, string<'&', '&'>, string<'|', '|'>, string<'*', '*'>, equals,
-          one<'+', '-', '*', '/', '%', '^', '|', '&', '<', '>'>> {};
+struct infix_symbol : sor<string<'.', '.', '<'>, string<'.', '.'>, string<'=', '='>, string<'!', '='>, string<'<', '='>,
+                          string<'>', '='>, string<'&', '&'>, string<'|', '|'>, string<'*', '*'>, equals,
+                          one<'+', '-', '*', '/', '%', '^', '|', '&', '<', '>'>> {};
 struct infix_word : seq<word, when<&ParseState::word_is_infix>> {};
-struct infix
-    : sor<seq<at<one<'.', '=', '!', '<', '>', '&', '|', '+', '-', '*', '/', '%', '^'>>, infix_symbol>,
-          seq<at<one<'a', 'b', 'o'>>, infix_word>> {};
+struct infix : sor<seq<at<one<'.', '=', '!', '<', '>', '&', '|', '+', '-', '*', '/', '%', '^'>>, infix_symbol>,
+                   seq<at<one<'a', 'b', 'o'>>, infix_word>> {};
 struct operators_rest : star<gap, infix, value_gap, required<operand>> {};
 struct operators_begin : success {};
 struct operators_end : success {};
@@ -289,9 +287,8 @@ struct else_on_new_line : seq<narrow_gap, newlines, keyword<Word::else_>> {}; //
 struct any_else : sor<else_word, else_on_new_line> {};
 struct else_if_begin : seq<any_else, gap, keyword<Word::if_>> {};
 struct else_block : seq<any_else, gap, required<own_block>> {};
-struct if_expression
-    : seq<if_begin, wide_gap, required<head>, required<own_block>, star<else_if_begin, wide_gap, required<head>, required<own_block>>,
-          opt<else_block>> {};
+struct if_expression : seq<if_begin, wide_gap, required<head>, required<own_block>,
+                           star<else_if_begin, wide_gap, required<head>, required<own_block>>, opt<else_block>> {};
 
 struct declared_word : plain_word {};
 struct default_sign : sor<equals, colon> {}; // the colon is an error
@@ -304,15 +301,16 @@ struct parameters : sor<parameter_list, no_parameters> {};
 
 struct arrow : sor<string<'=', '>'>, equals> {}; // `=` is an error
 struct lambda_begin : keyword<Word::fn_> {};
-struct lambda : seq<lambda_begin, gap, required<parameter_list>, gap, required<arrow>, wide_gap, required<expression>> {};
+struct lambda : seq<lambda_begin, gap, required<parameter_list>, gap, required<arrow>, wide_gap, required<expression>> {
+};
 
-struct expression
-    : sor<seq<at<one<'i'>>, nested<if_expression>>, seq<at<one<'f'>>, nested<lambda>>, operators> {};
+struct expression : sor<seq<at<one<'i'>>, nested<if_expression>>, seq<at<one<'f'>>, nested<lambda>>, operators> {};
 
 // Items -----------------------------------------------------------------------------------------------------------
 
 struct for_begin : is<Word::for_> {};
-struct for_item : seq<for_begin, gap, loop_names, gap, required<loop_in>, wide_gap, required<head>, required<own_block>> {};
+struct for_item
+    : seq<for_begin, gap, loop_names, gap, required<loop_in>, wide_gap, required<head>, required<own_block>> {};
 
 struct def_begin : is<Word::def_> {};
 struct def_item : seq<def_begin, gap, required<declared_word>, gap, required<parameters>, required<own_block>> {};
@@ -336,8 +334,8 @@ struct use_item : seq<use_begin, gap, required<path>, gap, required<use_as>, gap
 struct param_begin : is<Word::param_> {};
 struct param_value : equals {};
 struct param_range : seq<gap, keyword<Word::in_>, wide_gap, required<expression>> {};
-struct param_item
-    : seq<param_begin, gap, required<declared_word>, gap, required<param_value>, wide_gap, required<expression>, opt<param_range>> {};
+struct param_item : seq<param_begin, gap, required<declared_word>, gap, required<param_value>, wide_gap,
+                        required<expression>, opt<param_range>> {};
 
 // `hits`, `misses`, `at t` and `within` are words of an `expect` alone.
 template <char... C>
@@ -370,9 +368,8 @@ struct bind_item : seq<bind_sign, value_gap, required<value>> {};
 struct name_first : success {};
 /// An expression whose first word, a name, has been read.
 struct named_expression : seq<name_first, suffixes, operators_rest, operators_end> {};
-struct named_item
-    : seq<opt<foreign_variable, gap, word>, when<&ParseState::word_is_plain>, gap,
-          sor<property_item, bind_item, named_expression>> {};
+struct named_item : seq<opt<foreign_variable, gap, word>, when<&ParseState::word_is_plain>, gap,
+                        sor<property_item, bind_item, named_expression>> {};
 
 /// Where a later kind of item begins with a word of its own, it joins the first list.
 struct reserved_item

@@ -58,7 +58,8 @@ NumberLiteral read_number(std::string_view text) {
     }
   }
   const auto length = static_cast<std::uint32_t>(at);
-  if (digits > 19 || mantissa > exact_limit || scale > 22 || scale < -22) return {read_slowly(text.substr(0, at)), length};
+  if (digits > 19 || mantissa > exact_limit || scale > 22 || scale < -22)
+    return {read_slowly(text.substr(0, at)), length};
   const auto whole = static_cast<double>(mantissa);
   return {scale < 0 ? whole / exact_power[-scale] : whole * exact_power[scale], length};
 }
@@ -91,7 +92,8 @@ std::string read_string(std::string_view text, std::vector<std::uint32_t>& bad_e
       const char* const last = text.data() + std::min(close, text.size());
       const auto result = std::from_chars(first, last, code, 16);
       const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
-      const bool is_read = close != std::string_view::npos && first != last && result.ec == std::errc{} && result.ptr == last;
+      const bool is_read =
+          close != std::string_view::npos && first != last && result.ec == std::errc{} && result.ptr == last;
       if (is_read && code <= 0x10ffff && !is_surrogate) {
         append_utf8(out, code);
       } else {

@@ -4,6 +4,7 @@
 #include "lang/grammar_actions.hpp"
 #include "lang/grammar_analysis.hpp"
 #include "lang/grammar_errors.hpp"
+#include "lang/grammar_item_actions.hpp"
 #include "lang/tokens.hpp"
 #include "lang/utf8.hpp"
 

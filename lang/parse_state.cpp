@@ -10,12 +10,13 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::size_t most_errors = 100;       // what follows is no scene
-constexpr std::uint32_t tree_depth = 2'000;    // of operators in a row, as a | b | c; brackets have a limit of their own
+constexpr std::size_t most_errors = 100;    // what follows is no scene
+constexpr std::uint32_t tree_depth = 2'000; // of operators in a row, as a | b | c; brackets have a limit of their own
 
 } // namespace
 
-ParseState::ParseState(const SourceMap& sources, FileId source, SymbolTable& table, const ParseOptions& parse_options, Ast& ast)
+ParseState::ParseState(const SourceMap& sources, FileId source, SymbolTable& table, const ParseOptions& parse_options,
+                       Ast& ast)
     : text(sources.file(source).text), file(source), symbols(table), options(parse_options), build(ast, tree_depth),
       folder_(build) {
   ast.file = source;
@@ -126,7 +127,8 @@ void ParseState::number(std::uint32_t begin, std::uint32_t end) {
 void ParseState::color(std::uint32_t begin, std::uint32_t end) {
   const std::string_view literal = text.substr(begin, end - begin);
   const std::string_view digits = literal.substr(1);
-  const bool is_whole = (digits.size() == 3 || digits.size() == 6) && std::all_of(digits.begin(), digits.end(), is_hex_digit);
+  const bool is_whole =
+      (digits.size() == 3 || digits.size() == 6) && std::all_of(digits.begin(), digits.end(), is_hex_digit);
   if (!is_whole && begin == item_) fail(Expected::item, begin); // no colour begins an item: a comment or a directive
   if (!is_whole) report(malformed_color(span(begin, end), literal));
   build.leaf(Kind::color, begin, end, is_whole ? read_color(digits) : 0);
@@ -152,7 +154,8 @@ void ParseState::infix_symbol(std::uint32_t begin, std::uint32_t end) {
   const std::string_view op = text.substr(begin, end - begin);
   const char second = op.size() > 1 ? op[1] : '\0';
   if (op[0] == '.') return complain(build.range(op.size() == 3), begin, end);
-  if ((op[0] == '=' && second != '=') || (second == op[0] && op[0] != '=')) report(foreign_operator(span(begin, end), op));
+  if ((op[0] == '=' && second != '=') || (second == op[0] && op[0] != '='))
+    report(foreign_operator(span(begin, end), op));
   if (op == "<" && begins_foreign_vector(begin)) fail(Expected::property_colon, begin);
   const auto apply = [&](Op meaning) { complain(build.infix(meaning), begin, end); };
   switch (op[0]) {
@@ -248,8 +251,9 @@ void ParseState::fail_at_end() {
 }
 
 ParseState::Checkpoint ParseState::begin_item(std::uint32_t at) {
-  const Checkpoint checkpoint{build.snapshot(), open_.size(),     {newline_is_space_, block_may_follow_}, depth_,
-                              folder_.depth(),  item_,            item_follows_line_};
+  const Checkpoint checkpoint{
+      build.snapshot(),  open_.size(), {newline_is_space_, block_may_follow_}, depth_, folder_.depth(), item_,
+      item_follows_line_};
   item_ = at;
   item_follows_line_ = follows_line_;
   return checkpoint;

@@ -14,8 +14,8 @@ namespace rt::lang {
 
 /// Thrown where the grammar cannot go on; the diagnostic is already recorded.
 struct SyntaxError {
-  std::uint32_t at;       ///< where to start looking for the end of the broken item
-  bool is_fatal = false;  ///< nothing after it can be trusted
+  std::uint32_t at;      ///< where to start looking for the end of the broken item
+  bool is_fatal = false; ///< nothing after it can be trusted
 };
 
 // In the mark of a construct, where other constructs keep their name.
@@ -116,9 +116,9 @@ private:
   std::vector<OpenBracket> open_;
   bool newline_is_space_ = false;
   bool block_may_follow_ = true;
-  bool follows_line_ = false;      ///< the last separator was a newline
+  bool follows_line_ = false; ///< the last separator was a newline
   bool item_follows_line_ = false;
-  bool is_at_end_ = false;         ///< what is open at the end of the file has been reported
+  bool is_at_end_ = false; ///< what is open at the end of the file has been reported
   int depth_ = 0;
   std::uint32_t item_ = 0;
 };

@@ -6,8 +6,8 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::uint32_t shortest_block = 16;  // below that there is nothing to gain
-constexpr std::size_t most_models = 64;       // wordings that all differ are not worth keeping
+constexpr std::uint32_t shortest_block = 16; // below that there is nothing to gain
+constexpr std::size_t most_models = 64;      // wordings that all differ are not worth keeping
 
 bool is_declaration(Kind kind) {
   switch (kind) {
@@ -160,7 +160,8 @@ void RepeatFolder::begin_repeat(const Model& model, std::uint32_t operand, const
   ast.nodes.push_back({Kind::repeat, Op{}, 0, item.begin, item.end, repeat, 0});
 }
 
-// The last operand joins the repeat that stands before it, if that is one of the same model with its literals at the end.
+// The last operand joins the repeat that stands before it, if that is one of the same model with its literals at the
+// end.
 bool RepeatFolder::extend_repeat(const Model& model) {
   Ast& ast = builder_.ast();
   const NodeId before = builder_.operand(builder_.count() - 2).node;

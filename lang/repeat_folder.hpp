@@ -7,8 +7,8 @@
 
 namespace rt::lang {
 
-/// Finds items that differ from an earlier item of their block in number and colour literals alone, and keeps the literals
-/// in place of the nodes (`Repeat`): a million placed spheres then take 40 bytes each, and are checked once.
+/// Finds items that differ from an earlier item of their block in number and colour literals alone, and keeps the
+/// literals in place of the nodes (`Repeat`): a million placed spheres then take 40 bytes each, and are checked once.
 class RepeatFolder {
 public:
   explicit RepeatFolder(AstBuilder& builder) : builder_(builder) {}
@@ -52,7 +52,7 @@ private:
 
   AstBuilder& builder_;
   std::vector<Block> blocks_;
-  std::vector<Model> models_; ///< of all open blocks, the innermost last
+  std::vector<Model> models_;    ///< of all open blocks, the innermost last
   std::vector<double> literals_; ///< of the item at hand
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace rt::lang {
 
@@ -11,6 +13,9 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // some editors put
 }
 
 FileId SourceMap::add(std::string name, std::string path, std::string text, Span included_from) {
+  if (text.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::length_error(name + ": a scene's file may have 4 GB at the most");
+  }
   const auto id = static_cast<FileId>(files_.size());
   SourceFile file{std::move(name), std::move(path), std::move(text), {0}, included_from};
   if (included_from == Span{}) file.included_from.file = id;

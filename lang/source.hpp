@@ -37,6 +37,7 @@ struct SourceFile {
 /// All texts of one run.
 class SourceMap {
 public:
+  /// Throws std::length_error for a text beyond what 32-bit offsets reach.
   FileId add(std::string name, std::string path, std::string text, Span included_from = {});
   const SourceFile& file(FileId id) const { return files_[id]; }
   std::size_t size() const { return files_.size(); }

@@ -1,23 +1,18 @@
 #include "lang/syntax_errors.hpp"
 
 #include "lang/characters.hpp"
-#include "lang/literals.hpp"
 #include "lang/tokens.hpp"
-#include "lang/utf8.hpp"
 #include "lang/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
 namespace rt::lang {
 
 namespace {
-
-using namespace std::string_view_literals;
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 24;
@@ -46,7 +41,8 @@ public:
     case Expected::expression: return expression();
     case Expected::end_of_expression: return error("E0101", "expected the end, found " + found());
     case Expected::property_colon:
-      return error("E0135", "a vector is written in square brackets", fmt::format("write `{}: [x, y, z]`", word_of_item()));
+      return error("E0135", "a vector is written in square brackets",
+                   fmt::format("write `{}: [x, y, z]`", word_of_item()));
     case Expected::closing_bracket: return closing_bracket();
     case Expected::name: return name("expected a name, found " + found());
     case Expected::property_name: return name("expected a name after `.`, found " + found());
@@ -57,10 +53,11 @@ public:
     case Expected::function_body:
       return error("E0133", "a function's value is missing, found " + found(),
                    "write `= value`, or a block whose last line is the value");
-    case Expected::arrow: return error("E0129", "a function without a name needs `=>`, found " + found(),
-                                       "`fn (x) => x * x`");
-    case Expected::path: return error("E0134", "expected a file's path, found " + found(),
-                                      "a path is a string: `" + word_of_item() + " \"parts.rtl\"`");
+    case Expected::arrow:
+      return error("E0129", "a function without a name needs `=>`, found " + found(), "`fn (x) => x * x`");
+    case Expected::path:
+      return error("E0134", "expected a file's path, found " + found(),
+                   "a path is a string: `" + word_of_item() + " \"parts.rtl\"`");
     case Expected::use_as: return error("E0134", "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
     case Expected::claim_t: return error("E0139", "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
     case Expected::param_value: return error("E0134", "a `param` needs a value to start from, found " + found(),
@@ -117,7 +114,8 @@ private:
   Span found_span() const {
     if (!line_ends()) return {place_.file, found_.begin, found_.end};
     std::uint32_t at = found_.begin;
-    while (at > 0 && (is_blank(place_.text[at - 1]) || (found_.kind == TokenKind::end && place_.text[at - 1] == '\n'))) {
+    while (at > 0 &&
+           (is_blank(place_.text[at - 1]) || (found_.kind == TokenKind::end && place_.text[at - 1] == '\n'))) {
       --at;
     }
     return {place_.file, at, at};
@@ -134,8 +132,8 @@ private:
       const Token second = token_from(first_.end);
       if (text(second) == ":" || text(second) == "=") return reserved_name(first_);
     }
-    if (found_.kind == TokenKind::unknown) return unknown_character();
-    if (found_.kind == TokenKind::color && is_at_item_boundary()) return hash();
+    if (found_.kind == TokenKind::unknown) return unknown_character(found_span(), text(found_));
+    if (found_.kind == TokenKind::color && is_at_item_boundary()) return misplaced_hash(found_span(), text(found_));
     if (found_.kind == TokenKind::close && expected_ == Expected::item) return stray_bracket();
     if (is_at_item_boundary() || expected_ == Expected::closing_bracket) {
       if (auto foreign = foreign_statement()) return foreign;
@@ -145,80 +143,23 @@ private:
     return std::nullopt;
   }
 
-  Diagnostic unknown_character() const {
-    const std::string_view c = text(found_);
-    if (c == "'") return error("E0113", "strings are written in double quotes", "`\"text\"`");
-    if (c == "?") return error("E0119", "there is no `?` here", "`if condition { a } else { b }` chooses a value");
-    if (c == "!") return error("E0119", "there is no `!` here", "write `not`");
-    const char32_t code = decode(c).code_point;
-    const bool is_curly_quote = code >= 0x2018 && code <= 0x201f;
-    if (is_curly_quote) return error("E0123", "typographic quotes do not delimit a string", "write `\"`");
-    if (code == 0xa0) return error("E0123", "a no-break space is no space here", "type the space anew");
-    if (code == 0x2212 || code == 0x2013) return error("E0123", fmt::format("`{}` is no minus sign", c), "write `-`");
-    if (code == 0xd7 || code == 0xb7) return error("E0123", fmt::format("`{}` is no operator", c), "write `*`");
-    if (is_control(code)) return error("E0123", fmt::format("a control character (U+{:04X}) stands here", std::uint32_t{code}));
-    const std::string label = code >= 0x80 ? "names are made of a-z, A-Z, 0-9 and _; other letters stand in strings and comments" : "";
-    return error("E0123", fmt::format("`{}` has no meaning here", c), label);
-  }
-
-  Diagnostic hash() const {
-    static constexpr std::array directives{"declare"sv, "local"sv, "include"sv, "version"sv, "macro"sv, "while"sv, "if"sv, "else"sv, "end"sv,
-                                           "for"sv, "default"sv, "define"sv, "ifdef"sv, "ifndef"sv, "switch"sv, "undef"sv};
-    const std::string_view word = text(found_).substr(1);
-    if (word == "include") return error("E0121", "`#include` is no statement here", "`include \"file.rtl\"`");
-    if (word == "declare" || word == "local") {
-      return error("E0121", fmt::format("`#{}` is no statement here", word), "`name = value` gives a value a name");
-    }
-    if (std::find(directives.begin(), directives.end(), word) != directives.end()) {
-      return error("E0121", fmt::format("`#{}` is no statement here", word), "there are no directives");
-    }
-    return error("E0112", "`#` begins a colour, not a comment", "comments begin with `//`");
-  }
-
   Diagnostic stray_bracket() const {
     return error("E0104", fmt::format("nothing is open that this {} would close", found()));
   }
 
   std::optional<Diagnostic> foreign_statement() const {
-    struct Foreign {
-      std::string_view word, message, label;
-    };
-    static constexpr std::array statements{
-        Foreign{"while", "there is no `while` here", "`for i in 0..9 { … }` repeats"},
-        Foreign{"repeat", "there is no `repeat` here", "`for i in 1..10 { … }` repeats"},
-        Foreign{"foreach", "there is no `foreach` here", "`for x in xs { … }`"},
-        Foreign{"return", "there is no `return` here", "the last line of a function's block is its value"},
-        Foreign{"switch", "there is no `switch` here", "`if a { … } else if b { … } else { … }`"},
-        Foreign{"import", "there is no `import` here", "`include \"file.rtl\"`, or `use \"file.rtl\" as name`"},
-        Foreign{"module", "there is no `module` here", "`def name(width = 1) { … }` makes a noun"},
-        Foreign{"define", "there is no `define` here", "`name = value`, or `def name() { … }`"},
-        Foreign{"class", "there is no `class` here", "`def name(width = 1) { … }` makes a noun"},
-        Foreign{"elif", "there is no `elif` here", "`else if`, on the line of the closing brace"},
-        Foreign{"elsif", "there is no `elsif` here", "`else if`, on the line of the closing brace"},
-        Foreign{"elseif", "there is no `elseif` here", "`else if`, on the line of the closing brace"},
-        Foreign{"then", "there is no `then` here", "`if condition { … }`"},
-        Foreign{"object", "there is no `object` here", "a thing's own name places it: `table { width: 3 }`"}};
-    const auto find = [&](Token token) -> const Foreign* {
-      const auto* const found = std::find_if(statements.begin(), statements.end(),
-                                             [&](const Foreign& f) { return f.word == text(token); });
-      return found == statements.end() ? nullptr : found;
-    };
     const bool is_after_one_word = expected_ == Expected::item_end && item_tokens_ >= 1 && !line_ends();
     if (is_after_one_word) {
-      if (const Foreign* foreign = find(first_)) {
-        return syntax_error("E0121", {place_.file, first_.begin, first_.end}, std::string(foreign->message),
-                            std::string(foreign->label));
-      }
+      if (auto foreign = foreign_word({place_.file, first_.begin, first_.end}, text(first_))) return foreign;
     }
-    if (found_.kind != TokenKind::name || !text(found_).starts_with("el")) return std::nullopt;
-    const Foreign* foreign = find(found_);
-    if (foreign == nullptr) return std::nullopt;
-    return error("E0121", std::string(foreign->message), std::string(foreign->label));
+    const bool is_else = found_.kind == TokenKind::name && text(found_).starts_with("el");
+    return is_else ? foreign_word(found_span(), text(found_)) : std::nullopt;
   }
 
   Diagnostic reserved_name(Token token) const {
     return syntax_error("E0120", {place_.file, token.begin, token.end},
-                        fmt::format("`{}` is a reserved word and cannot be a name", text(token)), "choose another name");
+                        fmt::format("`{}` is a reserved word and cannot be a name", text(token)),
+                        "choose another name");
   }
 
   Diagnostic reserved_word() const {
@@ -310,8 +251,8 @@ private:
       return error("E0135", "a vector is written in square brackets", "`[x, y, z]`");
     }
     if (found_is("=") && before_.kind == TokenKind::symbol && before_.end == found_.begin) {
-      return syntax_error("E0119", {place_.file, before_.begin, found_.end}, fmt::format("there is no `{}=`", text(before_)),
-                          "a name keeps its value");
+      return syntax_error("E0119", {place_.file, before_.begin, found_.end},
+                          fmt::format("there is no `{}=`", text(before_)), "a name keeps its value");
     }
     if (found_is(">") && before_is("-")) {
       return error("E0119", "there is no `->` here", "a function without a name is written `fn (x) => x * x`");
@@ -319,14 +260,16 @@ private:
     if (found_.kind == TokenKind::separator && before_.kind == TokenKind::separator) {
       return error("E0122", fmt::format("there is nothing before this {}", found()));
     }
-    if (item_tokens_ == 0 || before_.kind == TokenKind::separator) return error("E0101", "expected an expression, found " + found());
+    if (item_tokens_ == 0 || before_.kind == TokenKind::separator)
+      return error("E0101", "expected an expression, found " + found());
     return error("E0101", fmt::format("expected an expression after {}, found {}", quoted(text(before_)), found()));
   }
 
   Diagnostic name(std::string message) const {
     const bool is_loop = word_of_item() == "for" && before_is("for");
     if (is_loop && found_is("(")) {
-      return error("E0121", "a `for` goes through the elements of something", "`for i in 0..9 { … }`, without parentheses");
+      return error("E0121", "a `for` goes through the elements of something",
+                   "`for i in 0..9 { … }`, without parentheses");
     }
     if (found_.kind == TokenKind::number && expected_ == Expected::property_name) {
       if (earlier_.kind == TokenKind::number) return error("E0108", "a number has one decimal point");
@@ -349,14 +292,16 @@ private:
   }
 
   Diagnostic loop_in() const {
-    return error("E0128", fmt::format("`in` is missing, found {}", found()), "`for x in xs { … }`, `for i, x in xs { … }`");
+    return error("E0128", fmt::format("`in` is missing, found {}", found()),
+                 "`for x in xs { … }`, `for i, x in xs { … }`");
   }
 
   Diagnostic parameters() const {
     if (found_.kind == TokenKind::name && before_is("fn")) {
       return error("E0129", "a function inside an expression has no name", "`fn (x) => x * x`");
     }
-    return error("E0130", fmt::format("expected the parameters in parentheses, found {}", found()), "`()` where there are none");
+    return error("E0130", fmt::format("expected the parameters in parentheses, found {}", found()),
+                 "`()` where there are none");
   }
 
   Diagnostic string_end() const {
@@ -387,15 +332,17 @@ Diagnostic explain_failure(const SyntaxPlace& place, Expected expected) {
 
 Diagnostic unclosed_bracket(FileId file, OpenBracket bracket) {
   const char closing = bracket.bracket == '(' ? ')' : bracket.bracket == '[' ? ']' : '}';
-  return syntax_error("E0103", {file, bracket.at, bracket.at + 1}, fmt::format("this `{}` is not closed", bracket.bracket),
-                      fmt::format("expected a `{}`", closing));
+  return syntax_error("E0103", {file, bracket.at, bracket.at + 1},
+                      fmt::format("this `{}` is not closed", bracket.bracket), fmt::format("expected a `{}`", closing));
 }
 
 Diagnostic mismatched_bracket(FileId file, OpenBracket bracket, std::uint32_t at, char found) {
   const char closing = bracket.bracket == '(' ? ')' : bracket.bracket == '[' ? ']' : '}';
-  Diagnostic diagnostic = syntax_error("E0104", {file, at, at + 1}, fmt::format("`{}` does not close `{}`", found, bracket.bracket),
-                                       fmt::format("expected `{}`", closing));
-  diagnostic.notes.push_back({Span{file, bracket.at, bracket.at + 1}, fmt::format("the `{}` is here", bracket.bracket)});
+  Diagnostic diagnostic =
+      syntax_error("E0104", {file, at, at + 1}, fmt::format("`{}` does not close `{}`", found, bracket.bracket),
+                   fmt::format("expected `{}`", closing));
+  diagnostic.notes.push_back(
+      {Span{file, bracket.at, bracket.at + 1}, fmt::format("the `{}` is here", bracket.bracket)});
   return diagnostic;
 }
 

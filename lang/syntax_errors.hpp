@@ -9,26 +9,26 @@
 #include <string_view>
 #include <vector>
 
-/// The wording of syntax errors. The grammar knows where it could not go on and what it would have taken; what the writer
-/// most likely meant is read off the text around.
+/// The wording of syntax errors. The grammar knows where it could not go on and what it would have taken; what the
+/// writer most likely meant is read off the text around.
 namespace rt::lang {
 
 /// What the grammar would have taken.
 enum class Expected : std::uint8_t {
   item,
-  item_end,          ///< a separator or the end of the block
+  item_end, ///< a separator or the end of the block
   expression,
   end_of_expression, ///< of a text that is one expression
   property_colon,    ///< where a vector of another language follows a name
   closing_bracket,   ///< of ( or [, or a comma
   name,
-  property_name,     ///< after a dot
+  property_name, ///< after a dot
   block,
-  head,              ///< of for and if
+  head, ///< of for and if
   loop_in,
   parameters,
   function_body,
-  arrow,             ///< => of a lambda
+  arrow, ///< => of a lambda
   path,
   use_as,
   claim_t,           ///< of `at t` in an `expect`
@@ -47,15 +47,23 @@ struct OpenBracket {
 struct SyntaxPlace {
   std::string_view text;
   FileId file;
-  std::uint32_t at;                      ///< where the grammar stopped
-  std::uint32_t item;                    ///< where the innermost item began
-  bool follows_line;                     ///< that item began a line, after another item
-  const std::vector<OpenBracket>& open;  ///< outermost first
+  std::uint32_t at;                     ///< where the grammar stopped
+  std::uint32_t item;                   ///< where the innermost item began
+  bool follows_line;                    ///< that item began a line, after another item
+  const std::vector<OpenBracket>& open; ///< outermost first
 };
 
 Diagnostic explain_failure(const SyntaxPlace& place, Expected expected);
 
 Diagnostic syntax_error(std::string_view code, Span span, std::string message, std::string label = "");
+
+// What comes from other languages.
+
+/// A word that begins a statement elsewhere; nothing for others.
+std::optional<Diagnostic> foreign_word(Span span, std::string_view word);
+Diagnostic unknown_character(Span span, std::string_view c);
+/// `#` where no colour is meant: a comment, or a directive of POV-Ray.
+Diagnostic misplaced_hash(Span span, std::string_view text);
 
 Diagnostic unclosed_bracket(FileId file, OpenBracket bracket);
 Diagnostic mismatched_bracket(FileId file, OpenBracket bracket, std::uint32_t at, char found);

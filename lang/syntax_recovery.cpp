@@ -37,7 +37,7 @@ bool is_first_on_line(std::string_view text, std::uint32_t at) {
 std::uint32_t resume_after(std::string_view text, std::uint32_t at, std::string_view code) {
   const std::size_t end_of_line = std::min(text.find('\n', at), text.size());
   if (code == "E0112") return static_cast<std::uint32_t>(end_of_line); // a comment
-  if (code == "E0135" && text[at] == '<') { // a vector, perhaps one of several
+  if (code == "E0135" && text[at] == '<') {                            // a vector, perhaps one of several
     const std::size_t close = text.substr(0, end_of_line).rfind('>');
     if (close != std::string_view::npos && close > at) return static_cast<std::uint32_t>(close + 1);
   }

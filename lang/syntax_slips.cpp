@@ -53,8 +53,7 @@ Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_te
     return syntax_error("E0117", op, "ranges do not chain", "the step follows `by`: `0..10 by 2`");
   case Complaint::misplaced_not:
     return syntax_error("E0131", op, "`not` binds looser than the operator before it", "write `(not …)`");
-  case Complaint::step_without_range:
-    return syntax_error("E0138", op, "`by` belongs to a range", "`0..10 by 2`");
+  case Complaint::step_without_range: return syntax_error("E0138", op, "`by` belongs to a range", "`0..10 by 2`");
   case Complaint::none: break;
   }
   return syntax_error("E0101", op, fmt::format("`{}` cannot stand here", op_text));
@@ -62,8 +61,7 @@ Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_te
 
 Diagnostic foreign_operator(Span op, std::string_view op_text) {
   if (op_text == "=") {
-    return syntax_error("E0118", op, "`=` gives a name a value and cannot stand inside an expression",
-                        "`==` compares");
+    return syntax_error("E0118", op, "`=` gives a name a value and cannot stand inside an expression", "`==` compares");
   }
   const std::string message =
       op_text == "+" ? "a number takes no `+` before it" : fmt::format("there is no operator `{}`", op_text);
@@ -79,7 +77,8 @@ std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std
     return syntax_error("E0108", span, "digits must follow the decimal point",
                         fmt::format("write `{}` or `{}.0`", text.substr(0, digits), text.substr(0, digits)));
   }
-  const bool has_base = text.size() >= 2 && text[0] == '0' && digits == 1 && std::string_view("xXbBoO").find(text[1]) != std::string_view::npos;
+  const bool has_base = text.size() >= 2 && text[0] == '0' && digits == 1 &&
+                        std::string_view("xXbBoO").find(text[1]) != std::string_view::npos;
   if (has_base) {
     const int base = (text[1] | 0x20) == 'x' ? 16 : (text[1] | 0x20) == 'b' ? 2 : 8;
     const std::string digits_of_base(text.substr(2));

@@ -23,8 +23,7 @@ public:
 private:
   char peek(std::uint32_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
-  template <typename Predicate>
-  void skip_while(Predicate predicate) {
+  template <typename Predicate> void skip_while(Predicate predicate) {
     while (at_ < text_.size() && predicate(text_[at_])) ++at_;
   }
 

@@ -16,7 +16,8 @@ bool say_the_same(const char* left, const char* right) {
 } // namespace
 
 TEST_CASE("ast: trees are equal whatever the layout") {
-  CHECK(say_the_same("sphere { radius: 2, at: [1, 2, 3] }", "// a ball\nsphere {\n  radius: 2.0;\n  at: [1\n2\n3]\n}\n"));
+  CHECK(
+      say_the_same("sphere { radius: 2, at: [1, 2, 3] }", "// a ball\nsphere {\n  radius: 2.0;\n  at: [1\n2\n3]\n}\n"));
   CHECK(say_the_same("x = a + b * c", "x = a +\n (b * c)"));
   CHECK(say_the_same("fn f(x) = x\ny = fn (x) => [z for z in x]", "fn f( x )=x; y=fn(x)=>[ z for z in x ]"));
 }

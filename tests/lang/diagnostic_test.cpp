@@ -12,8 +12,13 @@ namespace {
 const std::string lamp = "// a lamp\n\nsphere {\n  at: [0, 1, 0]\n\n\n  raduis: 2\n}\n";
 
 Diagnostic unknown_property(Span span) {
-  return {Severity::error, "E0204", "`sphere` has no property `raduis`", span, "did you mean `radius`?",
-          {{std::nullopt, "a sphere takes radius, at, rotate, scale, material, name"}}, {}};
+  return {Severity::error,
+          "E0204",
+          "`sphere` has no property `raduis`",
+          span,
+          "did you mean `radius`?",
+          {{std::nullopt, "a sphere takes radius, at, rotate, scale, material, name"}},
+          {}};
 }
 
 Diagnostic at(Span span, std::string label = "here") {
@@ -62,7 +67,8 @@ TEST_CASE("diagnostic: carets count what a terminal shows") {
 TEST_CASE("diagnostic: what would steer the terminal is shown as a replacement character") {
   SourceMap sources;
   const FileId file = sources.add("a\x1b[2Jb", "", "x = \"\x1b[2J\" \xff");
-  const std::string text = render({Severity::error, "E0101", "not \x1b[2J", {file, 0, 1}, "\r", {}, {}}, sources, false);
+  const std::string text =
+      render({Severity::error, "E0101", "not \x1b[2J", {file, 0, 1}, "\r", {}, {}}, sources, false);
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find('\r') == std::string::npos);
   CHECK(text.find("x = \"\xef\xbf\xbd[2J\" \xef\xbf\xbd\n") != std::string::npos);
@@ -106,7 +112,8 @@ TEST_CASE("diagnostic: includes and calls show the chain that led there") {
   Diagnostic diagnostic = at({file, 40, 46});
   diagnostic.call_stack = {{Span{parts, 0, 7}, "in `shade`"}, {Span{scene, 0, 1}, "in `lamp`"}};
   const std::string text = render(diagnostic, sources, false);
-  CHECK(text.find("lamp.rtl:7:3\n      included from parts.rtl:1:1\n      included from scene.rtl:2:1\n") != std::string::npos);
+  CHECK(text.find("lamp.rtl:7:3\n      included from parts.rtl:1:1\n      included from scene.rtl:2:1\n") !=
+        std::string::npos);
   CHECK(text.find("  = in `shade` at parts.rtl:1:1\n  = in `lamp` at scene.rtl:1:1\n") != std::string::npos);
 }
 

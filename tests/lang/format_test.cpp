@@ -26,7 +26,8 @@ std::string formatted(std::string text) {
 std::vector<std::string> comments(std::string_view text) {
   std::vector<std::string> out;
   for (Token token = next_token(text, 0); token.kind != TokenKind::end; token = next_token(text, token.end)) {
-    if (token.kind == TokenKind::line_comment || token.kind == TokenKind::block_comment) out.emplace_back(text_of(text, token));
+    if (token.kind == TokenKind::line_comment || token.kind == TokenKind::block_comment)
+      out.emplace_back(text_of(text, token));
   }
   return out;
 }
@@ -67,7 +68,8 @@ TEST_CASE("format: blocks of several lines have one item a line") {
 }
 
 TEST_CASE("format: what is wider than 100 columns is broken, blocks before lists") {
-  const std::string wide = "glass = material { color: #123456, ambient: 0.1, diffuse: 0.8, specular: 0.3, shininess: 32, ior: 1.5, reflect: 1 }";
+  const std::string wide = "glass = material { color: #123456, ambient: 0.1, diffuse: 0.8, specular: 0.3, shininess: "
+                           "32, ior: 1.5, reflect: 1 }";
   CHECK(formatted(wide) == "glass = material {\n  color: #123456\n  ambient: 0.1\n  diffuse: 0.8\n  specular: 0.3\n"
                            "  shininess: 32\n  ior: 1.5\n  reflect: 1\n}\n");
   std::string list = "points = [";
@@ -77,8 +79,9 @@ TEST_CASE("format: what is wider than 100 columns is broken, blocks before lists
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) CHECK(line.size() <= 100);
   CHECK(count == 4);
-  CHECK(formatted("xs = [sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], material: ink }.rotate(turn) for p in pips(n)]") ==
-        "xs = [\n  sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], material: ink }.rotate(turn)\n  for p in pips(n)\n]\n");
+  CHECK(formatted("xs = [sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], material: ink }.rotate(turn) for "
+                  "p in pips(n)]") == "xs = [\n  sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], "
+                                      "material: ink }.rotate(turn)\n  for p in pips(n)\n]\n");
 }
 
 TEST_CASE("format: an item that cannot begin a line keeps the comma before it") {
@@ -93,8 +96,10 @@ TEST_CASE("format: lists keep their lines") {
 }
 
 TEST_CASE("format: comments stay where they are") {
-  CHECK(formatted("// head\n\n\n\na: 1 // one\n// own\nb: 2 /* two */\n") == "// head\n\na: 1 // one\n// own\nb: 2 /* two */\n");
-  CHECK(formatted("sphere { // ball\nradius: 2, // r\n// last\n}") == "sphere { // ball\n  radius: 2 // r\n  // last\n}\n");
+  CHECK(formatted("// head\n\n\n\na: 1 // one\n// own\nb: 2 /* two */\n") ==
+        "// head\n\na: 1 // one\n// own\nb: 2 /* two */\n");
+  CHECK(formatted("sphere { // ball\nradius: 2, // r\n// last\n}") ==
+        "sphere { // ball\n  radius: 2 // r\n  // last\n}\n");
   CHECK(formatted("f(1, // one\n2 // two\n, 3)") == "f(1, // one\n  2, // two\n  3)\n");
   CHECK(formatted("x = a + // first\n b") == "x = a + // first\n  b\n");
   CHECK(formatted("box {}\n// turned\n.rotate(y: 3)") == "box {}\n  // turned\n  .rotate(y: 3)\n");
@@ -111,7 +116,8 @@ TEST_CASE("format: signs that were aligned stay aligned, as close as they can") 
 }
 
 TEST_CASE("format: Windows' line endings and a byte order mark go") {
-  CHECK(formatted("\xef\xbb\xbf" "a: 1\r\n/* x\r\ny */\r\nb: 2 // c\r\n") == "a: 1\n/* x\ny */\nb: 2 // c\n");
+  CHECK(formatted("\xef\xbb\xbf"
+                  "a: 1\r\n/* x\r\ny */\r\nb: 2 // c\r\n") == "a: 1\n/* x\ny */\nb: 2 // c\n");
 }
 
 TEST_CASE("format: a text with syntax errors stays as it is") {
@@ -132,7 +138,8 @@ TEST_CASE("format: random programs keep their meaning and their comments, and fo
 
 TEST_CASE("format: every example keeps its meaning, and formatting is idempotent") {
   int count = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(RTLANG_SOURCE_DIR) + "/examples")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::string(RTLANG_SOURCE_DIR) + "/examples")) {
     if (entry.path().extension() != ".rtl") continue;
     std::ifstream in(entry.path());
     std::ostringstream text;

@@ -57,7 +57,8 @@ TEST_CASE("utf8: characters are decoded, and what is none is refused") {
   CHECK(decode("é").code_point == U'é');
   CHECK(decode("日").bytes == 3);
   CHECK(decode("🎈").code_point == 0x1f388);
-  for (const char* wrong : {"\x80", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe6\x97", "\xff"}) {
+  for (const char* wrong :
+       {"\x80", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe6\x97", "\xff"}) {
     CHECK_FALSE(decode(wrong).is_valid);
   }
   for (const char32_t c : {U'a', U'é', U'日', char32_t{0x10ffff}}) {

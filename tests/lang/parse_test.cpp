@@ -225,11 +225,13 @@ TEST_CASE("parse: in a session the first line may begin with a dot") {
 }
 
 TEST_CASE("parse: a session knows when a text is complete") {
-  for (const char* complete : {"", "sphere {}", "x = 1", "f(\n1\n)", "x = true", "a /* b */", "// x =", "x = 1;", ")", "s = \"{\""}) {
+  for (const char* complete :
+       {"", "sphere {}", "x = 1", "f(\n1\n)", "x = true", "a /* b */", "// x =", "x = 1;", ")", "s = \"{\""}) {
     INFO(complete);
     CHECK(is_complete(complete));
   }
-  for (const char* open : {"sphere {", "x =", "x = 1 +", "f(1,", "a:", "x = a and", "x = [1\n", "/* a", "x = 1 + // one", "x = not", "for", "a."}) {
+  for (const char* open : {"sphere {", "x =", "x = 1 +", "f(1,", "a:", "x = a and", "x = [1\n", "/* a",
+                           "x = 1 + // one", "x = not", "for", "a."}) {
     INFO(open);
     CHECK_FALSE(is_complete(open));
   }

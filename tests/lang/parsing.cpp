@@ -33,10 +33,12 @@ public:
   std::string of(NodeId id) const {
     if (id == no_node) return "_";
     switch (ast_.kind(id)) {
-    case Kind::error: return ast_.error_name(id) == no_symbol ? "ERROR" : fmt::format("ERROR:{}", name(ast_.error_name(id)));
+    case Kind::error:
+      return ast_.error_name(id) == no_symbol ? "ERROR" : fmt::format("ERROR:{}", name(ast_.error_name(id)));
     case Kind::include: return fmt::format("(include {})", ast_.text(id));
     case Kind::use: return fmt::format("(use {} {})", ast_.text(id), of(ast_.use_item(id).name));
-    case Kind::param: return form("param", {ast_.param_item(id).name, ast_.param_item(id).value, ast_.param_item(id).range});
+    case Kind::param:
+      return form("param", {ast_.param_item(id).name, ast_.param_item(id).value, ast_.param_item(id).range});
     case Kind::def: return function("def", id);
     case Kind::fn: return function("fn", id);
     case Kind::lambda: return function("lambda", id);
@@ -69,7 +71,8 @@ public:
     case Kind::unary: return form(spelling(ast_.op(id)), {ast_.operand(id)});
     case Kind::binary: return form(spelling(ast_.op(id)), {ast_.left(id), ast_.right(id)});
     case Kind::range:
-      return form(ast_.range(id).excludes_end ? "..<" : "..", {ast_.range(id).from, ast_.range(id).to, ast_.range(id).step});
+      return form(ast_.range(id).excludes_end ? "..<" : "..",
+                  {ast_.range(id).from, ast_.range(id).to, ast_.range(id).step});
     case Kind::block: return fmt::format("{{{}}}", list(ast_.children(id), "; "));
     case Kind::parameter:
       return ast_.parameter(id).default_value == no_node

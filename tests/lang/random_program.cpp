@@ -33,7 +33,9 @@ std::string RandomProgram::separator(bool is_list) {
   case 4: return "," + gap() + "\n";
   case 5: return chance(50) ? " // " + comment() + "\n" : ", // " + comment() + "\n";
   case 6: return "\n\n\n";
-  case 7: return "\n// " + comment() + "\n" + (chance(30) ? "\n" : "") + (chance(50) ? "/* " + comment() + "\n more */\n" : "");
+  case 7:
+    return "\n// " + comment() + "\n" + (chance(30) ? "\n" : "") +
+           (chance(50) ? "/* " + comment() + "\n more */\n" : "");
   default: return ";";
   }
 }
@@ -87,8 +89,10 @@ std::string RandomProgram::block(int depth, bool is_value) {
     if (i + 1 < items || is_value) out += separator(false);
   }
   if (is_value) out += "(" + expression(depth - 1) + ")";
-  if (chance(20)) out += separator(false);
-  else if (chance(10)) out += "\n// " + comment() + "\n";
+  if (chance(20))
+    out += separator(false);
+  else if (chance(10))
+    out += "\n// " + comment() + "\n";
   parentheses_ = outer;
   const bool is_comma_alone = items == 0 && !is_value;
   if (is_comma_alone) return chance(50) ? "{}" : "{ // " + comment() + "\n}";
@@ -107,7 +111,8 @@ std::string RandomProgram::literal() {
 
 std::string RandomProgram::expression(int depth) {
   if (depth > 0 && chance(6)) return choice(depth - 1, true);
-  if (depth > 0 && chance(4)) return "fn" + gap() + parameters(depth - 1) + gap() + "=>" + continuation() + expression(depth - 1);
+  if (depth > 0 && chance(4))
+    return "fn" + gap() + parameters(depth - 1) + gap() + "=>" + continuation() + expression(depth - 1);
   std::string out = operand(depth);
   for (int i = chance(35) ? 1 + below(3) : 0; i > 0 && depth > 0; --i) {
     out += space() + pick({"+", "-", "*", "/", "%", "|", "&", "^", "and", "or"}) + continuation() + operand(depth - 1);
@@ -190,7 +195,8 @@ std::string RandomProgram::parameters(int depth) {
 }
 
 std::string RandomProgram::choice(int depth, bool is_value) {
-  std::string out = "if" + space() + "a" + space() + "<" + space() + "(" + operand(0) + ")" + gap() + block(depth, is_value);
+  std::string out =
+      "if" + space() + "a" + space() + "<" + space() + "(" + operand(0) + ")" + gap() + block(depth, is_value);
   if (chance(30)) out += gap() + "else" + space() + "if" + space() + "b" + gap() + block(depth, is_value);
   if (is_value || chance(50)) out += gap() + "else" + gap() + block(depth, is_value);
   return out;

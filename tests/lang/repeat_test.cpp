@@ -59,7 +59,8 @@ std::size_t check_folding(const std::string& scene) {
 std::string spheres(int count, std::string_view rest = "") {
   std::string out;
   for (int i = 0; i < count; ++i) {
-    out += "sphere { at: [" + std::to_string(i) + ", -0.5, 1e-3], radius: " + std::to_string(i) + ".25" + std::string(rest) + " }\n";
+    out += "sphere { at: [" + std::to_string(i) + ", -0.5, 1e-3], radius: " + std::to_string(i) + ".25" +
+           std::string(rest) + " }\n";
   }
   return out;
 }

@@ -20,7 +20,9 @@ TEST_CASE("source: positions count lines and characters from 1") {
 
 TEST_CASE("source: columns count characters, not bytes, and not the byte order mark") {
   SourceMap sources;
-  const FileId file = sources.add("a.rtl", "", "\xef\xbb\xbf" "aé日x");
+  const FileId file = sources.add("a.rtl", "",
+                                  "\xef\xbb\xbf"
+                                  "aé日x");
   CHECK(sources.position(file, 3).column == 1);
   CHECK(sources.position(file, 4).column == 2);
   CHECK(sources.position(file, 6).column == 3);

@@ -6,7 +6,8 @@ using namespace rt::lang;
 
 namespace {
 
-const std::vector<std::string_view> properties{"radius", "at", "rotate", "scale", "material", "name", "visible", "casts_shadow", "from", "to"};
+const std::vector<std::string_view> properties{"radius", "at",      "rotate",       "scale", "material",
+                                               "name",   "visible", "casts_shadow", "from",  "to"};
 
 std::optional<std::string_view> nearest_property(std::string_view word) { return nearest(word, properties); }
 

@@ -20,16 +20,6 @@ using layout::widest;
 
 constexpr std::size_t none = std::string::npos;
 
-std::size_t width_of(std::string_view text) {
-  std::size_t width = 0;
-  while (!text.empty()) {
-    const Character c = decode(text);
-    width += static_cast<std::size_t>(display_width(c.code_point));
-    text.remove_prefix(c.bytes);
-  }
-  return width;
-}
-
 class Writer {
 public:
   std::string file(Group& group) {
@@ -42,7 +32,7 @@ public:
   static std::size_t width(Entry& entry) {
     Writer flat;
     flat.pieces(entry, 0);
-    return width_of(flat.out_);
+    return display_width(flat.out_);
   }
 
   static std::size_t flat_width(Group& list) {
@@ -54,7 +44,7 @@ public:
 private:
   void measure() {
     const std::size_t end = std::min(comment_, out_.size());
-    widest_ = std::max(widest_, width_of(std::string_view(out_).substr(line_, end - line_)));
+    widest_ = std::max(widest_, display_width(std::string_view(out_).substr(line_, end - line_)));
   }
 
   void begin_line(std::size_t indent) {
@@ -87,14 +77,16 @@ private:
       if (item.sign_column > 0 && is_too_wide(item, indent)) item.sign_column = 0; // it will be broken
     }
     const std::vector<std::size_t> columns = layout::aligned_columns(group.entries);
+    std::vector<std::size_t> comments(group.entries.size(), none);
     for (std::size_t i = 0; i < group.entries.size(); ++i) {
       Entry& item = group.entries[i];
       item.sign_column = columns[i];
       if (item.follows_blank_line && i > 0) out_ += '\n';
       begin_line(indent);
-      fitting(item, indent);
+      comments[i] = fitting(item, indent);
       out_ += '\n';
     }
+    align_comments(group.entries, comments);
     widest_ = outer_widest;
   }
 
@@ -102,8 +94,35 @@ private:
     return layout::has_line_break_within(item) || indent + width(item) > widest;
   }
 
-  // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide.
-  void fitting(Entry& entry, std::size_t indent) {
+  // `places`: of the trailing comments of what was just written, up to the beginning of the current line.
+  void align_comments(const std::vector<Entry>& entries, const std::vector<std::size_t>& places) {
+    std::vector<std::size_t> widths(entries.size(), 0);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (places[i] == none) continue;
+      const std::size_t newline = places[i] == 0 ? none : out_.rfind('\n', places[i] - 1);
+      const std::size_t line = newline == none ? 0 : newline + 1;
+      widths[i] = display_width(std::string_view(out_).substr(line, places[i] - line));
+    }
+    const std::vector<std::size_t> padding = layout::comment_padding(entries, widths);
+    const auto first = std::find_if(padding.begin(), padding.end(), [](std::size_t spaces) { return spaces > 0; });
+    if (first == padding.end()) return;
+    std::size_t at = places[static_cast<std::size_t>(first - padding.begin())];
+    const std::string tail = out_.substr(at);
+    const std::size_t offset = at;
+    out_.resize(at);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (padding[i] == 0) continue;
+      out_.append(tail, at - offset, places[i] - at);
+      out_.append(padding[i], ' ');
+      at = places[i];
+    }
+    out_.append(tail, at - offset);
+    line_ += out_.size() - offset - tail.size();
+  }
+
+  // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide. Gives
+  // the place of its trailing comment.
+  std::size_t fitting(Entry& entry, std::size_t indent) {
     const std::size_t outer_widest = std::exchange(widest_, 0);
     const std::size_t begin = out_.size(), line = line_;
     for (;;) {
@@ -115,15 +134,19 @@ private:
       comment_ = none;
       widest_ = 0;
     }
-    trailing_comment(entry);
+    const std::size_t place = trailing_comment(entry);
     widest_ = outer_widest;
+    return place;
   }
 
-  void trailing_comment(const Entry& entry) {
+  // The place before its space; `none` where there is none.
+  std::size_t trailing_comment(const Entry& entry) {
     if (entry.needs_comma) out_ += ',';
-    if (entry.trailing_comment.empty()) return;
+    if (entry.trailing_comment.empty()) return none;
+    const std::size_t place = out_.size();
     out_ += ' ';
     comment(entry.trailing_comment);
+    return place;
   }
 
   void pieces(Entry& entry, std::size_t indent) {
@@ -156,8 +179,12 @@ private:
     }
     if (group.bracket == '{') return block(group, indent);
     if (std::exchange(group.must_be_filled, false)) fill(group, indent + step);
-    for (std::size_t i = 0; i < group.entries.size(); ++i) element(group, i, indent);
-    if (group.ends_on_new_line) new_line(indent);
+    std::vector<std::size_t> comments(group.entries.size(), none);
+    for (std::size_t i = 0; i < group.entries.size(); ++i) comments[i] = element(group, i, indent);
+    if (group.ends_on_new_line) {
+      new_line(indent);
+      align_comments(group.entries, comments);
+    }
     out_ += group.bracket == '[' ? ']' : ')';
   }
 
@@ -178,8 +205,8 @@ private:
     out_ += '}';
   }
 
-  // In a list a line break separates as a comma does.
-  void element(Group& group, std::size_t i, std::size_t indent) {
+  // In a list a line break separates as a comma does. Gives the place of a trailing comment.
+  std::size_t element(Group& group, std::size_t i, std::size_t indent) {
     Entry& entry = group.entries[i];
     if (i > 0 && (group.bracket == '(' || !entry.begins_line)) out_ += ',';
     if (entry.begins_line) {
@@ -200,7 +227,7 @@ private:
     const bool is_indented = group.entries.front().begins_line || entry.begins_line;
     if (entry.begins_line && is_last_of_line) return fitting(entry, indent + step);
     pieces(entry, is_indented ? indent + step : indent);
-    trailing_comment(entry);
+    return trailing_comment(entry);
   }
 
   // As many elements a line as there is room for.

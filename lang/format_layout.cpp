@@ -183,4 +183,18 @@ std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items) {
   return columns;
 }
 
+std::vector<std::size_t> comment_padding(const std::vector<Entry>& items, const std::vector<std::size_t>& widths) {
+  std::vector<std::size_t> padding(items.size(), 0);
+  for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
+    end = begin + 1;
+    if (items[begin].trailing_comment.empty()) continue;
+    std::size_t widest_line = widths[begin];
+    for (; end < items.size() && !items[end].trailing_comment.empty() && !items[end].follows_blank_line &&
+           items[end].comment_column == items[begin].comment_column; ++end)
+      widest_line = std::max(widest_line, widths[end]);
+    for (std::size_t i = begin; i < end; ++i) padding[i] = widest_line - widths[i];
+  }
+  return padding;
+}
+
 } // namespace rt::lang::layout

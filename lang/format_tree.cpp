@@ -1,5 +1,6 @@
 #include "lang/format_tree.hpp"
 
+#include "lang/utf8.hpp"
 #include "lang/words.hpp"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ private:
     if (group.bracket == '(' || !ends_line(at_ + 1)) return false;
     if (!entry.pieces.empty()) {
       if (newlines > 0 || !newline_separates(group, entry, at_ + 1)) return false;
-      entry.trailing_comment = said(at_++);
+      take_trailing_comment(entry);
       finish(group, entry);
       return true;
     }
@@ -140,13 +141,21 @@ private:
     if (newlines == 0 && is_behind_bracket) {
       group.opening_comment = said(at_++);
     } else if (newlines == 0 && before != nullptr && before->trailing_comment.empty() && !before->is_comment) {
-      before->trailing_comment = said(at_++); // there was a separator between
+      take_trailing_comment(*before); // there was a separator between
     } else {
       take_piece(entry, newlines);
       entry.begins_line = true;
       finish(group, entry);
     }
     return true;
+  }
+
+  void take_trailing_comment(Entry& entry) {
+    const std::size_t begin = token(at_).begin;
+    const std::size_t newline = begin == 0 ? std::string_view::npos : text_.rfind('\n', begin - 1);
+    const std::size_t line = newline == std::string_view::npos ? 0 : newline + 1;
+    entry.comment_column = display_width(text_.substr(line, begin - line));
+    entry.trailing_comment = said(at_++);
   }
 
   void take_piece(Entry& entry, int newlines) {

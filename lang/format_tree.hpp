@@ -31,6 +31,8 @@ struct Entry {
   /// Of an item that begins with a name and `=` or a block: how far that sign stands from the item's beginning. Where
   /// consecutive items agree, they are meant to be aligned.
   std::size_t sign_column = 0;
+  /// Where its trailing comment stands, counted from the line's beginning. The same holds for it.
+  std::size_t comment_column = 0;
 };
 
 /// A bracket pair and what it holds; the whole file is one without brackets.

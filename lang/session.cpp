@@ -1,6 +1,7 @@
 #include "lang/session.hpp"
 
 #include "lang/builtins/builtins.hpp"
+#include "lang/format.hpp"
 #include "lang/session_change.hpp"
 #include "lang/session_scene.hpp"
 #include "lang/session_text.hpp"
@@ -362,7 +363,11 @@ const std::vector<SessionVersion>& Session::versions() const { return state_->ve
 std::string Session::folder() const { return state_->core.files.folder(); }
 bool Session::is_empty() const { return state_->document().empty(); }
 std::string Session::text(std::size_t version) const { return join_lines(*state_->documents[version].document); }
-std::string Session::formatted() const { return text(); }
+
+std::string Session::formatted() const {
+  SourceMap sources;
+  return format(sources, sources.add("", "", text())).text;
+}
 
 std::string Session::diff(std::size_t from, std::size_t to) const {
   const Document& before = *state_->documents[from].document;

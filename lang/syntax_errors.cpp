@@ -132,7 +132,7 @@ private:
       const Token second = token_from(first_.end);
       if (text(second) == ":" || text(second) == "=") return reserved_name(first_);
     }
-    if (found_.kind == TokenKind::unknown) return unknown_character(found_span(), text(found_));
+    if (found_.kind == TokenKind::unknown || found_is("~")) return unknown_character(found_span(), text(found_));
     if (found_.kind == TokenKind::color && is_at_item_boundary()) return misplaced_hash(found_span(), text(found_));
     if (found_.kind == TokenKind::close && expected_ == Expected::item) return stray_bracket();
     if (is_at_item_boundary() || expected_ == Expected::closing_bracket) {

@@ -86,7 +86,7 @@ private:
       }
     }
     ++at_;
-    if (std::string_view("+-*/%^|&<>=:.").find(c) != std::string_view::npos) return TokenKind::symbol;
+    if (std::string_view("+-*/%^|&<>=:.~").find(c) != std::string_view::npos) return TokenKind::symbol;
     skip_while([](char next) { return (next & 0xc0) == 0x80; }); // the rest of a character
     return TokenKind::unknown;
   }

@@ -93,6 +93,16 @@ int display_width(char32_t c) {
   return lies_in(c, wide) ? 2 : 1;
 }
 
+std::size_t display_width(std::string_view text) {
+  std::size_t width = 0;
+  while (!text.empty()) {
+    const Character c = decode(text);
+    width += static_cast<std::size_t>(display_width(c.code_point));
+    text.remove_prefix(c.bytes);
+  }
+  return width;
+}
+
 bool is_control(char32_t c) {
   const bool is_direction = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) || c == 0x200e || c == 0x200f;
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || is_direction;

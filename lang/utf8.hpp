@@ -23,6 +23,8 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
 /// How many columns of a terminal a character takes: 0 for combining marks, 2 for ideographs and emoji.
 int display_width(char32_t code_point);
+/// The same for a whole text.
+std::size_t display_width(std::string_view text);
 
 /// Whether a terminal would obey the character instead of showing it: control characters and direction overrides.
 bool is_control(char32_t code_point);

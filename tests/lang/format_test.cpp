@@ -57,6 +57,7 @@ TEST_CASE("format: spaces follow one rule") {
   CHECK(formatted("x = f (1) [2].y") == "x = f(1)[2].y\n");
   CHECK(formatted("x = not(a)and(b)") == "x = not (a) and (b)\n");
   CHECK(formatted("x = if(a){1}else{2}") == "x = if (a) { 1 } else { 2 }\n");
+  CHECK(formatted("expect a~b\nexpect a~-1") == "expect a ~ b\nexpect a ~ -1\n");
   CHECK(formatted("x={ };y=[ ];z=f( )") == "x = {}\ny = []\nz = f()\n");
   CHECK(formatted("x = {a:1;b:[{c:2}]}") == "x = { a: 1, b: [{ c: 2 }] }\n");
 }
@@ -113,6 +114,17 @@ TEST_CASE("format: signs that were aligned stay aligned, as close as they can") 
   CHECK(formatted("camera { at: 1 }\nsun    { at: 2 }\n") == "camera { at: 1 }\nsun    { at: 2 }\n");
   CHECK(formatted("a   = 1\nlong   = 2\n") == "a = 1\nlong = 2\n");
   CHECK(formatted("a     = 1\n\nlong  = 2\n") == "a = 1\n\nlong = 2\n");
+}
+
+TEST_CASE("format: comments behind lines that were aligned stay aligned, as close as they can") {
+  CHECK(formatted("a = 1     // one\nlong = 2  // two\n") == "a = 1    // one\nlong = 2 // two\n");
+  CHECK(formatted("a=1 // one\nlong = 2 // two\n") == "a = 1 // one\nlong = 2 // two\n");
+  CHECK(formatted("a = 1     // one\n\nlong = 2  // two\n") == "a = 1 // one\n\nlong = 2 // two\n");
+  CHECK(formatted("s = \"é\"  // one\nlo = 2   // two\nb = 3\nc = 4  // four\n") ==
+        "s = \"é\" // one\nlo = 2  // two\nb = 3\nc = 4 // four\n");
+  CHECK(formatted("group {\n  box {}      // one\n  sphere{}    // two\n}\n") ==
+        "group {\n  box {}    // one\n  sphere {} // two\n}\n");
+  CHECK(formatted("p = [\n[0,0]    // a\n[1,0.25] // b\n]\n") == "p = [\n  [0, 0]    // a\n  [1, 0.25] // b\n]\n");
 }
 
 TEST_CASE("format: Windows' line endings and a byte order mark go") {

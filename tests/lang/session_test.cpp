@@ -491,5 +491,18 @@ TEST_CASE("session: random inputs leave a document that says the same when it is
     REQUIRE(loaded.scene);
     CHECK(loaded.scene->objects.size() == session.scene().objects.size());
     CHECK(are_equal(picture(*loaded.scene), picture(session.scene())));
+    const rt::lang::Loaded formatted = rt::lang::load_text(session.formatted(), "formatted", ".", {});
+    REQUIRE(formatted.scene);
+    CHECK(are_equal(picture(*formatted.scene), picture(session.scene())));
   }
+}
+
+TEST_CASE("session: the formatted document is laid out anew, with its comments") {
+  Talk talk;
+  talk.say("// a ball\nball=sphere{radius:2,at:[0,1 ,0]} // round");
+  talk.say("ball");
+  talk.say("for i in 0..<3{\nbox{size:i+1} // one of three\n}");
+  talk.say("// the end");
+  CHECK(talk.session.formatted() == "// a ball\nball = sphere { radius: 2, at: [0, 1, 0] } // round\nball\nfor i in 0..<3 {\n"
+                                    "  box { size: i + 1 } // one of three\n}\n// the end\n");
 }

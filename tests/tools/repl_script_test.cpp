@@ -51,11 +51,13 @@ TEST_CASE("session as a script: what it saves makes the same picture, byte for b
   const Outcome outcome = session(
       folder, "// glass on a floor\nfloor = checker { a: white, b: #333 }\nplane { y: 0, material: floor }\n"
               "ball = sphere { at: [0, 1, 0], material: glass }\nball\n.move(x: 0.5) // a bit\nfloor = checker { a: navy, b: white }\n"
-              "for i in 0..3 { box { size: 0.3, at: [i - 1.5, 0.15, 2] } }\n:set ball.radius 1.2\n"
+              "for i in 0..3{box{size:0.3,at:[i-1.5,0.15,2]// four\n}}\n:set ball.radius 1.2\n"
               ":render session.png --size 60x40\n:save scene.rtl\n");
   REQUIRE(outcome.errors == "");
   REQUIRE(outcome.exit_code == 0);
-  CHECK(folder.read("scene.rtl").find("// glass on a floor") != std::string::npos);
+  const std::string saved = folder.read("scene.rtl");
+  CHECK(saved.find("// glass on a floor\n") == 0);
+  CHECK(saved.find("for i in 0..3 {\n  box {\n    size: 0.3\n    at: [i - 1.5, 0.15, 2] // four\n  }\n}\n") != std::string::npos);
   RunOptions options;
   options.folder = folder.path();
   REQUIRE(rt::tests::rtlang({"scene.rtl", "-o", "file.png", "--size", "60x40"}, options).exit_code == 0);

@@ -16,5 +16,6 @@ Action declare_export(CLI::App& app);
 Action declare_check(CLI::App& app);
 Action declare_diff(CLI::App& app);
 Action declare_repl(CLI::App& app);
+Action declare_fmt(CLI::App& app);
 
 } // namespace rt::tools

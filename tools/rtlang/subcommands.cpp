@@ -14,6 +14,7 @@ std::span<const Subcommand> subcommands() {
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures how far two pictures are apart", declare_diff},
       {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material", declare_probe},
       {"test", "SCENES... [OPTIONS]", "tries what the scenes expect of themselves", declare_test},
+      {"fmt", "FILES... [--check]", "rewrites scenes in the house's layout", declare_fmt},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},
       {"repl", "[SCENE] [--keep-going]", "builds a scene line by line (what runs without any arguments)", declare_repl},
       {"explain", "[CODE]", "explains an error's code, or lists all codes", declare_explain},

@@ -9,7 +9,7 @@ namespace {
 
 using scene::MaterialId;
 
-/// Looks through the scene for combinations whose refracting parts disagree about what is inside.
+/// Looks through the scene for combinations whose parts that refract, or mirror by Fresnel's equations, disagree about what is inside.
 class MediaCheck {
 public:
   explicit MediaCheck(const scene::Scene& scene) : scene_(scene) {}
@@ -49,7 +49,7 @@ private:
       }
       if (material == scene::no_material) continue;
       const scene::Material& m = scene_.materials[static_cast<std::size_t>(material)];
-      if (m.refract == 0) continue;
+      if (m.refract == 0 && !m.fresnel) continue;
       if (first_ == 0) first_ = m.ior;
       else if (m.ior != first_) second_ = m.ior;
     }

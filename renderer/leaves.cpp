@@ -75,8 +75,9 @@ bool SolidLeaves::inspect(std::uint32_t i, InspectQuery& query) const {
     for (const Boundary& b : Boundaries(*leaf.solid, ray, query.scratch))
       if (query.interval.contains(b.t)) query.add_hit(b, i, leaf_kind<SolidLeaves>, this);
   }
-  if (query.around && leaf.solid->contains(ray.origin))
-    query.add_around(tags_[i].slot, ior(i, query.styles, query.resolved(tags_[i].style_id())));
+  const StyleId inherited = query.resolved(tags_[i].style_id());
+  if (query.around && leaf.solid->is_medium(query.styles, inherited) && leaf.solid->contains(ray.origin))
+    query.add_around(tags_[i].slot, ior(i, query.styles, inherited));
   return false;
 }
 

@@ -172,8 +172,9 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
       query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
   }
   if constexpr (Solidlike<typename Placed::G>) {
-    if (query.around && contains(p.shape, p.carried(query.ray.origin)))
-      query.add_around(tags_[i].slot, query.styles.ior(query.resolved(tags_[i].style_id())));
+    const StyleId style = query.resolved(tags_[i].style_id());
+    if (query.around && !query.styles.is_opaque(style) && contains(p.shape, p.carried(query.ray.origin)))
+      query.add_around(tags_[i].slot, query.styles.ior(style));
   }
   return false;
 }

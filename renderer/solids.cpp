@@ -163,4 +163,10 @@ double Solid::ior(const Styles& styles, StyleId inherited) const {
   return 1;
 }
 
+bool Solid::is_medium(const Styles& styles, StyleId inherited) const {
+  return std::any_of(operands_.begin(), operands_.end(), [&](const Operand& operand) {
+    return !styles.is_opaque(operand.style == inherited_style ? inherited : operand.style);
+  });
+}
+
 } // namespace rt

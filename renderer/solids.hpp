@@ -52,6 +52,8 @@ public:
   /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
   /// part that has one, or 1. A combination within this one counts by its own material first.
   double ior(const Styles& styles, StyleId inherited) const;
+  /// Whether any of its surfaces lets light in.
+  bool is_medium(const Styles& styles, StyleId inherited) const;
 
 private:
   friend class SolidBuilder;

@@ -60,8 +60,8 @@ public:
 
   /// All hits, from near to far; with equal distances in the order of declaration.
   std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
-  /// The solids that hold `p`, opaque ones too, in the order of declaration: the list that a ray from the eye starts
-  /// with, as POV-Ray has it. An open cylinder or cone counts by the volume that its ends would close.
+  /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
+  /// An open cylinder or cone counts by the volume that its ends would close.
   std::vector<Interior> around(const Vec3& p) const;
   /// Whether any material has an index of refraction that matters. Without one `around` is empty.
   bool uses_ior() const { return compiled_.styles().uses_ior(); }

@@ -67,8 +67,7 @@ TEST_CASE("every example is what POV-Ray makes of it") {
   check_all(scenes);
 }
 
-// Known to fail in two of its scenes: smooth triangles under a scaling that is not uniform, and a room seen from inside.
-TEST_CASE("every feature by itself is what POV-Ray makes of it", "[!shouldfail]") {
+TEST_CASE("every feature by itself is what POV-Ray makes of it") {
   std::vector<std::pair<std::string, scene::Scene>> scenes;
   for (const auto& feature : tools::oracle::feature_scenes()) {
     INFO(feature.name);

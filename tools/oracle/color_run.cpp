@@ -29,7 +29,9 @@ public:
 
   RunResult run() {
     povray::run_many(settings_.scenes, settings_.at_once, [&](std::size_t i) { one(settings_.first + i); });
-    std::sort(result_.failures.begin(), result_.failures.end(), [](const Failure& a, const Failure& b) { return a.scene < b.scene; });
+    std::ranges::sort(result_.failures, {}, &Failure::scene);
+    std::ranges::sort(result_.refusals, {}, &Refusal::scene);
+    std::ranges::stable_sort(result_.explained, {}, &Explained::scene);
     const std::size_t kept = std::min(settings_.keep_failures, result_.failures.size());
     povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result_.failures[i]); });
     return std::move(result_);
@@ -49,6 +51,12 @@ private:
     std::vector<std::size_t> features;
     try {
       scene::Scene scene = load(print(block));
+      scene.size = {settings_.width, settings_.height};
+      if (auto why = refusal(scene)) {
+        const std::lock_guard lock(mutex_);
+        result_.refusals.push_back({number, std::move(*why)});
+        return;
+      }
       features = features_of(scene);
       c = compare(scene);
       what = complaint(c, {});
@@ -59,14 +67,14 @@ private:
     }
     const std::lock_guard lock(mutex_);
     add(c, features);
+    for (const povray::Outlier& o : c.outliers)
+      if (o.is_traced_again && povray::is_explained(o.cause)) result_.explained.push_back({number, o});
     if (!what.empty()) result_.failures.push_back({number, what, print(block)});
     if (settings_.on_progress) settings_.on_progress(result_.scenes);
   }
 
   povray::Comparison compare(scene::Scene& scene) const {
     scene.size = {settings_.width, settings_.height};
-    if (const auto exported = povray::export_povray(scene); !exported.inexact.empty())
-      throw std::runtime_error("POV-Ray cannot compute it exactly: " + exported.inexact.front().message);
     RenderOptions options;
     options.threads = 1;
     options.layers = true;
@@ -99,7 +107,7 @@ private:
     const auto fails = [&](const Block& block) {
       try {
         scene::Scene scene = load(print(block));
-        return !complaint(compare(scene), {}).empty();
+        return !refusal(scene) && !complaint(compare(scene), {}).empty();
       } catch (const std::exception&) {
         return false;
       }
@@ -122,6 +130,12 @@ scene::Scene load(const std::string& text) {
     if (d.severity == lang::Severity::error)
       throw std::runtime_error(fmt::format("the scene does not load: line {}: {}", loaded.sources.position(d.span.file, d.span.begin).line, d.message));
   throw std::runtime_error("the scene does not load");
+}
+
+std::optional<std::string> refusal(const scene::Scene& scene) {
+  std::vector<povray::Inexact> inexact = povray::export_povray(scene).inexact;
+  if (inexact.empty()) return std::nullopt;
+  return std::move(inexact.front().message);
 }
 
 RunResult run_colors(const RunSettings& settings) { return ColorRun(settings).run(); }

@@ -30,6 +30,9 @@ public:
     const double x = between(low, high), y = between(low, high);
     return {x, y, between(low, high)};
   }
+  /// The same in the scene's unit of length.
+  double length(double low, double high) { return length_unit * between(low, high); }
+  Vec3 point(double low, double high) { return vector(low, high) * length_unit; }
   /// Evenly spread over the unit sphere.
   Vec3 direction() {
     Vec3 v;
@@ -37,6 +40,8 @@ public:
     while (dot(v, v) > 1 || dot(v, v) < 0.01);
     return normalize(v);
   }
+
+  double length_unit = 1; ///< in the scene's lengths
 
 private:
   std::uint64_t state_;

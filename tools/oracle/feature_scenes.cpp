@@ -40,7 +40,8 @@ constexpr Entry shapes[] = {
     {"disc_hole", "disc { normal: [0.4, 1, 0.7], radius: 1.2, hole: 0.45, material: gold_paint }"},
     {"triangle", "triangle { points: [[-1.1, -0.8, 0.1], [1.2, -0.7, 0.3], [0.1, 1.2, -0.4]], material: skyblue }"},
     {"triangle_smooth", "triangle { points: [[-1.1, -0.8, 0.1], [1.2, -0.7, 0.3], [0.1, 1.2, -0.4]], normals: [[-0.6, -0.3, 1], [0.7, -0.2, 1], [0, 0.9, 1]], material: skyblue }"},
-    {"triangle_smooth_scaled", "triangle { points: [[-1.1, -0.8, 0.1], [1.2, -0.7, 0.3], [0.1, 1.2, -0.4]], normals: [[-0.6, -0.3, 1], [0.7, -0.2, 1], [0, 0.9, 1]], scale: [1.2, 0.6, 1.7], material: skyblue }.shear(xy: 0.4)"},
+    {"triangle_smooth_scaled", "triangle { points: [[-1.1, -0.8, 0.1], [1.2, -0.7, 0.3], [0.1, 1.2, -0.4]], normals: [[-0.4, -0.1, 1], [0.5, 0.1, 1], [0, 0.7, 1]], scale: [1.2, 0.6, 1.7], material: skyblue }.shear(xy: 0.4)"},
+    {"triangle_smooth_kept", "triangle { points: [[-1.1, -0.8, 0.1], [1.2, -0.7, 0.3], [0.1, 1.2, -0.4]], normals: [[-0.6, -0.3, 1], [0.7, -0.2, 1], [0, 0.9, 1]], scale: [1.2, 0.6, 1.7], material: floor }.shear(xy: 0.4).shear(xy: -0.4)"},
     {"quad_square", "quad { size: 1.7, normal: [0.3, 0.5, 1], material: floor }"},
     {"quad_edges", "quad { corner: [-0.9, -0.8, 0.3], edge_u: [1.6, 0.2, -0.4], edge_v: [0.3, 1.5, 0.2], material: khaki }"},
     {"quad_points", "quad { points: [[-1, -0.9, 0], [1.1, -0.7, 0], [0.8, 1, 0], [-0.7, 0.8, 0]], material: khaki }"},
@@ -112,11 +113,13 @@ constexpr Entry media[] = {
     {"media_depth_0", "max_depth: 0\nsphere { radius: 1, material: clear { ior: 1.5 } }"},
     {"media_depth_2", "max_depth: 2\nsphere { radius: 1, material: clear { ior: 1.5, reflect: 0.3 } }\nplane { z: -1.6, material: mirror }"},
     {"media_half_space", "plane { y: -0.2, material: clear { ior: 1.25, color: skyblue, reflect: 1, fresnel: true } }\nsphere { radius: 0.6, at: [0, -0.5, 0], material: tomato }"},
+    {"media_tube", "cylinder { from: [1.2, 1.5, 3.6], to: [3.4, 4, 9], radius: 1.6, open: true, material: clear { ior: 1.25, reflect: 1, fresnel: true } }\nsphere { radius: 0.9, material: clear { ior: 1.5, reflect: 1, fresnel: true } }"},
     {"media_room", "box { size: 13, material: khaki }\nsphere { radius: 0.9, material: clear { ior: 1.5, reflect: 1, fresnel: true } }"},
 };
 
 constexpr Entry cameras[] = {
     {"camera_orthographic", "camera { at: [1.7, 1.9, 4.6], look_at: [0.1, 0.2, 0], projection: orthographic, width: 4.2 }"},
+    {"camera_orthographic_disc", "camera { at: [1.7, 1.9, 4.6], look_at: [0.1, 0.2, 0], projection: orthographic, width: 4.2 }\ndisc { normal: [0.9, -0.3, 0.1], radius: 0.9, hole: 0.3, at: [1.7, 1.9, 2], material: tomato }\nsphere { radius: 0.5, at: [0, 0.9, 0.8], material: clear { ior: 1.5, reflect: 1, fresnel: true } }"},
     {"camera_wide", "camera { at: [0.6, 1, 2.2], look_at: [0, 0, 0], fov: 110 }"},
     {"camera_tilted", "camera { at: [1.7, 1.9, 4.6], look_at: [0.1, 0.2, 0], up: [0.5, 1, 0.2], fov: 42 }"},
     {"camera_from_below", "camera { at: [1.2, -4, 3], look_at: [0, 0, 0], fov: 50 }"},

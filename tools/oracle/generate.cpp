@@ -30,9 +30,9 @@ Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& va
     if (depth < 2 && dice.chance(0.15)) b.set(part, checker(dice, depth + 1, value));
     else b.set(part, value(dice));
   }
-  if (dice.chance(0.7)) b.set("scale", dice.chance(0.7) ? text(dice.between(0.2, 0.8)) : text(dice.vector(0.2, 0.9)));
+  if (dice.chance(0.7)) b.set("scale", dice.chance(0.7) ? text(dice.length(0.2, 0.8)) : text(dice.point(0.2, 0.9)));
   if (dice.chance(0.4)) b.set("rotate", text(dice.vector(-90, 90)));
-  if (dice.chance(0.4)) b.set("at", text(dice.vector(-0.5, 0.5)));
+  if (dice.chance(0.4)) b.set("at", text(dice.point(-0.5, 0.5)));
   return b;
 }
 
@@ -72,8 +72,8 @@ void make_clear(Dice& dice, Block& m, const std::string& index) {
 // At a place that fits into the picture, where the eye sees something of it.
 Block floor(Dice& dice) {
   Block b = block("plane");
-  if (dice.chance(0.6)) b.set("y", text(dice.between(-1.6, -1.1)));
-  else b.set("normal", text(Vec3{dice.between(-0.3, 0.3), 1, dice.between(-0.2, 0.3)})).set("offset", text(dice.between(-2.2, -1.6)));
+  if (dice.chance(0.6)) b.set("y", text(dice.length(-1.6, -1.1)));
+  else b.set("normal", text(Vec3{dice.between(-0.3, 0.3), 1, dice.between(-0.2, 0.3)})).set("offset", text(dice.length(-2.2, -1.6)));
   Block m = opaque(dice);
   // Cells far away hang on the last digits of a ray that was mirrored before.
   std::erase_if(m.props, [](const Prop& p) { return !p.block.empty(); });
@@ -82,9 +82,9 @@ Block floor(Dice& dice) {
 
 // A tray: what a patterned floor would show, but finite.
 Block tray(Dice& dice) {
-  Block b = dice.chance(0.5) ? block("disc").set("radius", text(dice.between(3, 5)))
-                             : block("box").set("size", text(Vec3{dice.between(5, 9), 0.2, dice.between(5, 9)}));
-  return b.set("at", text(Vec3{0, dice.between(-1.6, -1.2), 0})).set("material", opaque(dice));
+  Block b = dice.chance(0.5) ? block("disc").set("radius", text(dice.length(3, 5)))
+                             : block("box").set("size", text(Vec3{dice.between(5, 9), 0.2, dice.between(5, 9)} * dice.length_unit));
+  return b.set("at", text(Vec3{0, dice.length(-1.6, -1.2), 0})).set("material", opaque(dice));
 }
 
 // A shape under a name, placed several times: the description holds it once.
@@ -111,14 +111,14 @@ void add_copies(Dice& dice, Block& file) {
 
 // Balls in a row by a loop, each from a definition with a parameter.
 void add_row(Dice& dice, Block& file) {
-  Block definition = block("def bead(r = 0.3)");
+  Block definition = block(fmt::format("def bead(r = {})", text(0.3 * dice.length_unit)));
   definition.is_definition = true;
   definition.things.push_back(block("sphere").set("radius", "r"));
   definition.things.push_back(block("disc").set("radius", "1.6 * r").set("normal", text(dice.direction())));
   Block loop = block(fmt::format("for i in 0..<{}", 2 + dice.below(3)));
   loop.is_definition = true;
-  Block bead = block("bead").set("r", fmt::format("{} + 0.05 * i", text(dice.between(0.15, 0.3))));
-  bead.set("at", fmt::format("{} + i * {}", text(dice.vector(-2, 0)), text(dice.vector(0.4, 1))));
+  Block bead = block("bead").set("r", fmt::format("{} + {} * i", text(dice.length(0.15, 0.3)), text(0.05 * dice.length_unit)));
+  bead.set("at", fmt::format("{} + i * {}", text(dice.point(-2, 0)), text(dice.point(0.4, 1))));
   add_material(dice, bead, false);
   loop.things.push_back(std::move(bead));
   file.things.push_back(std::move(definition));
@@ -142,7 +142,7 @@ void add_flags(Dice& dice, Block& thing) {
 Block nested(Dice& dice) {
   Block b = block("group");
   const double outer = dice.between(0.7, 1.1);
-  Block shell = block("sphere").set("radius", text(outer)), core = random_shape(dice, 1, true);
+  Block shell = block("sphere").set("radius", text(outer * dice.length_unit)), core = random_shape(dice, 1, true);
   Block glass = opaque(dice);
   make_clear(dice, glass, ior(dice));
   shell.set("material", std::move(glass));
@@ -155,7 +155,7 @@ Block nested(Dice& dice) {
   add_material(dice, core, false);
   b.things.push_back(std::move(shell));
   b.things.push_back(std::move(core));
-  b.set("at", text(dice.vector(-1.5, 1.5)));
+  b.set("at", text(dice.point(-1.5, 1.5)));
   return b;
 }
 
@@ -184,7 +184,7 @@ std::vector<Block> random_lights(Dice& dice) {
   std::vector<Block> lights;
   const int count = 1 + dice.below(3);
   for (int i = 0; i < count; ++i) {
-    const Vec3 at{dice.between(-5, 5), dice.between(2.5, 7), dice.between(-1, 6)};
+    const Vec3 at{dice.length(-5, 5), dice.length(2.5, 7), dice.length(-1, 6)};
     const int kind = dice.below(3);
     Block light = block(kind == 0 ? "light" : kind == 1 ? "sun" : "spot");
     double intensity = dice.between(0.3, 0.9);
@@ -192,13 +192,13 @@ std::vector<Block> random_lights(Dice& dice) {
     else light.set("at", text(at));
     if (kind == 2) {
       const double angle = dice.between(10, 60);
-      light.set("look_at", text(dice.vector(-1, 1))).set("angle", text(angle));
+      light.set("look_at", text(dice.point(-1, 1))).set("angle", text(angle));
       if (dice.chance(0.7)) light.set("falloff", text(angle * dice.between(1, 2)));
     }
     if (kind != 1 && dice.chance(0.5)) {
-      const double d = dice.between(2, 8);
+      const double d = dice.length(2, 8);
       constexpr const char* laws[] = {"linear", "quadratic"};
-      if (dice.chance(0.3)) light.set("fade", "inverse_square"), intensity *= 30;
+      if (dice.chance(0.3)) light.set("fade", "inverse_square"), intensity *= 30 * dice.length_unit * dice.length_unit;
       else light.set("fade", fmt::format("{}({})", laws[dice.below(2)], text(d))), intensity *= 2;
     }
     light.set("intensity", text(intensity));
@@ -207,7 +207,7 @@ std::vector<Block> random_lights(Dice& dice) {
     if (kind != 2 && dice.chance(0.12)) light.set("shadows", "false");
     if (dice.chance(0.1)) light.chain.push_back(fmt::format(".rotate(y: {})", text(dice.between(-40, 40))));
     if (dice.chance(0.12)) {
-      Block around = block("group").set("rotate", text(dice.vector(-15, 15))).set("at", text(dice.vector(-0.4, 0.4)));
+      Block around = block("group").set("rotate", text(dice.vector(-15, 15))).set("at", text(dice.point(-0.4, 0.4)));
       if (dice.chance(0.5)) around.set("scale", text(dice.vector(0.9, 1.2)));
       around.things.push_back(std::move(light));
       lights.push_back(std::move(around));
@@ -221,15 +221,19 @@ Block random_camera(Dice& dice) {
   const bool is_orthographic = dice.chance(0.25);
   // The whole of an orthographic view starts above the floor.
   const Vec3 way{dice.between(-1, 1), is_orthographic ? dice.between(0.6, 1) : dice.between(-0.05, 0.8), dice.between(0.3, 1)};
-  camera.set("at", text(normalize(way) * (is_orthographic ? 9 : dice.between(5, 9)))).set("look_at", text(dice.vector(-0.4, 0.4)));
+  camera.set("at", text(normalize(way) * dice.length_unit * (is_orthographic ? 9 : dice.between(5, 9))));
+  camera.set("look_at", text(dice.point(-0.4, 0.4)));
   if (dice.chance(0.3)) camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * dice.between(0.5, 2)));
-  if (is_orthographic) camera.set("projection", "orthographic").set("width", text(dice.between(3, 5)));
+  if (is_orthographic) camera.set("projection", "orthographic").set("width", text(dice.length(3, 5)));
   else if (dice.chance(0.8)) camera.set("fov", text(dice.between(25, 75)));
   return camera;
 }
 
+double random_length_unit(Dice& dice) { return std::pow(100, dice.unit()); }
+
 Block random_scene(Dice& dice, Mode mode) {
   Block file;
+  dice.length_unit = random_length_unit(dice);
   const bool is_color = mode == Mode::color;
   if (is_color) add_settings(dice, file);
   file.things.push_back(random_camera(dice));
@@ -259,7 +263,7 @@ Block random_scene(Dice& dice, Mode mode) {
     Block m = opaque(dice);
     std::erase_if(m.props, [](const Prop& p) { return p.name == "diffuse" || p.name == "ambient"; });
     make_clear(dice, m, ior(dice));
-    file.things.push_back(block("sphere").set("radius", text(dice.between(0.8, 2))).set("at", file.things.front().props.front().text).set("material", std::move(m)));
+    file.things.push_back(block("sphere").set("radius", text(dice.length(0.8, 2))).set("at", file.things.front().props.front().text).set("material", std::move(m)));
   }
   return file;
 }

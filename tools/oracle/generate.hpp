@@ -11,7 +11,10 @@ enum class Mode : std::uint8_t {
   geometry, ///< shapes and transforms alone, more of them
 };
 
-/// Lengths are of the order of 1: POV-Ray's limits are lengths of 1e-4 and 1e-3.
+/// How long a scene's things are, from 1 to 100, evenly spread by order of magnitude: one is modelled in metres, the next
+/// in centimetres. POV-Ray's limits are lengths of 1e-4 and 1e-3 whatever the scene: small scenes meet them most often.
+/// `random_scene` begins with it.
+double random_length_unit(Dice& dice);
 Block random_scene(Dice& dice, Mode mode);
 
 /// Parts of it, each in a file of its own.
@@ -19,7 +22,7 @@ Block random_shape(Dice& dice, int depth, bool is_solid);
 void add_material(Dice& dice, Block& thing, bool is_in_solid);
 std::vector<Block> random_lights(Dice& dice);
 Block random_camera(Dice& dice);
-/// Adds `at`, `rotate`, `scale` and a chain.
+/// Adds `at` (no coordinate beyond `reach` units of length), `rotate`, `scale` and a chain.
 void place(Dice& dice, Block& thing, double reach);
 
 } // namespace rt::tools::oracle

@@ -16,26 +16,26 @@ std::string list(const std::vector<Vec3>& points) {
 
 Block block(const char* head) { return {head, {}, {}, {}, {}, false}; }
 
-Block sphere(Dice& dice) { return block("sphere").set("radius", text(dice.between(0.3, 1))); }
+Block sphere(Dice& dice) { return block("sphere").set("radius", text(dice.length(0.3, 1))); }
 
 Block box(Dice& dice) {
   Block b = block("box");
   if (dice.chance(0.3)) {
-    const Vec3 p = dice.vector(-0.9, -0.1), q = dice.vector(0.1, 0.9);
+    const Vec3 p = dice.point(-0.9, -0.1), q = dice.point(0.1, 0.9);
     // Any two opposite corners will do.
     return dice.chance(0.5) ? b.set("from", text(p)).set("to", text(q)) : b.set("from", text({q.x, p.y, q.z})).set("to", text({p.x, q.y, p.z}));
   }
-  return dice.chance(0.5) ? b.set("size", text(dice.between(0.5, 1.4))) : b.set("size", text(dice.vector(0.3, 1.5)));
+  return dice.chance(0.5) ? b.set("size", text(dice.length(0.5, 1.4))) : b.set("size", text(dice.point(0.3, 1.5)));
 }
 
 Block cylinder(Dice& dice, bool is_solid) {
   Block b = block("cylinder");
-  b.set("radius", text(dice.between(0.15, 0.6)));
+  b.set("radius", text(dice.length(0.15, 0.6)));
   const bool is_infinite = dice.chance(0.12);
-  if (dice.chance(0.5)) b.set("from", text(dice.vector(-0.9, -0.1))).set("to", text(dice.vector(0.1, 0.9)));
+  if (dice.chance(0.5)) b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
   else {
     if (dice.chance(0.7)) b.set("axis", text(dice.direction() * dice.between(0.5, 2)));
-    if (!is_infinite) b.set("height", text(dice.between(0.4, 2)));
+    if (!is_infinite) b.set("height", text(dice.length(0.4, 2)));
   }
   if (is_infinite) b.set("infinite", "true");
   else if (!is_solid && dice.chance(0.35)) b.set("open", "true");
@@ -44,18 +44,19 @@ Block cylinder(Dice& dice, bool is_solid) {
 
 Block cone(Dice& dice, bool is_solid) {
   Block b = block("cone");
-  const double radius = dice.between(0.2, 0.7);
+  const double radius = dice.length(0.2, 0.7);
   b.set("radius", dice.chance(0.1) ? "0" : text(radius));
-  if (b.props[0].text == "0") b.set("top_radius", text(dice.between(0.2, 0.7)));
-  else if (dice.chance(0.5)) b.set("top_radius", dice.chance(0.2) ? b.props[0].text : text(dice.between(0.05, 0.9)));
-  if (dice.chance(0.6)) b.set("from", text(dice.vector(-0.9, -0.1))).set("to", text(dice.vector(0.1, 0.9)));
+  if (b.props[0].text == "0") b.set("top_radius", text(dice.length(0.2, 0.7)));
+  else if (dice.chance(0.5)) b.set("top_radius", dice.chance(0.2) ? b.props[0].text : text(dice.length(0.05, 0.9)));
+  if (dice.chance(0.6)) b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
+  else b.set("to", text(Vec3{0, dice.length_unit, 0}));
   if (!is_solid && dice.chance(0.35)) b.set("open", "true");
   return b;
 }
 
 Block disc(Dice& dice) {
   Block b = block("disc");
-  const double radius = dice.between(0.4, 1);
+  const double radius = dice.length(0.4, 1);
   b.set("radius", text(radius));
   if (dice.chance(0.8)) b.set("normal", text(dice.direction() * dice.between(0.5, 2)));
   if (dice.chance(0.4)) b.set("hole", text(radius * dice.between(0.2, 0.8)));
@@ -69,6 +70,7 @@ Block triangle(Dice& dice) {
     p = {dice.vector(-1, 1), dice.vector(-1, 1), dice.vector(-1, 1)};
     n = cross(p[1] - p[0], p[2] - p[0]);
   } while (length(n) < 0.4);
+  for (Vec3& corner : p) corner = corner * dice.length_unit;
   Block b = block("triangle").set("points", list(p));
   if (dice.chance(0.4)) return b;
   // POV-Ray leaves out a triangle whose normals are not all on one side.
@@ -83,7 +85,7 @@ Block triangle(Dice& dice) {
 std::vector<Vec3> outline(Dice& dice, int corners, double least, double most) {
   std::vector<Vec3> points;
   for (int i = 0; i < corners; ++i) {
-    const double angle = (i + dice.between(-0.3, 0.3)) * 2 * std::numbers::pi / corners, r = dice.between(least, most);
+    const double angle = (i + dice.between(-0.3, 0.3)) * 2 * std::numbers::pi / corners, r = dice.length(least, most);
     points.push_back({r * std::cos(angle), r * std::sin(angle), 0});
   }
   return points;
@@ -93,13 +95,13 @@ Block quad(Dice& dice) {
   Block b = block("quad");
   const double form = dice.unit();
   if (form < 0.35) {
-    b.set("size", text(dice.between(0.5, 1.5)));
+    b.set("size", text(dice.length(0.5, 1.5)));
     if (dice.chance(0.8)) b.set("normal", text(dice.direction() * dice.between(0.5, 2)));
     return b;
   }
   if (form < 0.7) {
     const Vec3 u = dice.direction(), v = normalize(cross(u, dice.direction()) + u * dice.between(-0.5, 0.5));
-    return b.set("corner", text(dice.vector(-0.8, 0.2))).set("edge_u", text(u)).set("edge_v", text(v * dice.between(0.5, 1.2)));
+    return b.set("corner", text(dice.point(-0.8, 0.2))).set("edge_u", text(u * dice.length_unit)).set("edge_v", text(v * dice.length(0.5, 1.2)));
   }
   return b.set("points", list(outline(dice, 4, 0.7, 0.9)));
 }
@@ -109,10 +111,10 @@ Block polygon(Dice& dice) { return block("polygon").set("points", list(outline(d
 Block half_space(Dice& dice) {
   Block b = block("plane");
   switch (dice.below(4)) {
-  case 0: return b.set("x", text(dice.between(-0.5, 0.5)));
-  case 1: return b.set("y", text(dice.between(-0.5, 0.5)));
-  case 2: return b.set("z", text(dice.between(-0.5, 0.5)));
-  default: return b.set("normal", text(dice.direction() * dice.between(0.5, 2))).set("offset", text(dice.between(-0.4, 0.4)));
+  case 0: return b.set("x", text(dice.length(-0.5, 0.5)));
+  case 1: return b.set("y", text(dice.length(-0.5, 0.5)));
+  case 2: return b.set("z", text(dice.length(-0.5, 0.5)));
+  default: return b.set("normal", text(dice.direction() * dice.between(0.5, 2))).set("offset", text(dice.length(-0.4, 0.4)));
   }
 }
 
@@ -166,7 +168,7 @@ Block group(Dice& dice, int depth, bool is_solid) {
 }
 
 std::string step(Dice& dice) {
-  const std::string about = dice.chance(0.3) ? ", about: " + text(dice.vector(-0.5, 0.5)) : "";
+  const std::string about = dice.chance(0.3) ? ", about: " + text(dice.point(-0.5, 0.5)) : "";
   const auto factor = [&] { return text(dice.between(0.7, 1.4) * (dice.chance(0.1) ? -1 : 1)); };
   switch (dice.below(10)) {
   case 0: return fmt::format(".scale({}{})", factor(), about);
@@ -175,11 +177,11 @@ std::string step(Dice& dice) {
   case 3: return fmt::format(".rotate({}{})", text(dice.vector(-180, 180)), about);
   case 4: return fmt::format(".rotate({}: {}{})", "xyz"[dice.below(3)], text(dice.between(-180, 180)), about);
   case 5: return fmt::format(".rotate(axis: {}, angle: {}{})", text(dice.direction()), text(dice.between(-180, 180)), about);
-  case 6: return fmt::format(".move({})", text(dice.vector(-0.4, 0.4)));
+  case 6: return fmt::format(".move({})", text(dice.point(-0.4, 0.4)));
   case 7: return fmt::format(".shear(xy: {}, zx: {}{})", text(dice.between(-0.5, 0.5)), text(dice.between(-0.5, 0.5)), about);
   case 8: return fmt::format(".mirror({}{})", text(dice.direction()), about);
   default: {
-    const Vec3 a = dice.vector(-0.3, 0.3), b = dice.vector(-0.3, 0.3), c = dice.vector(-0.3, 0.3), t = dice.vector(-0.4, 0.4);
+    const Vec3 a = dice.vector(-0.3, 0.3), b = dice.vector(-0.3, 0.3), c = dice.vector(-0.3, 0.3), t = dice.point(-0.4, 0.4);
     return fmt::format(".transform([[{}, {}, {}, {}], [{}, {}, {}, {}], [{}, {}, {}, {}]])", text(1 + a.x), text(a.y), text(a.z),
                        text(t.x), text(b.x), text(1 + b.y), text(b.z), text(t.y), text(c.x), text(c.y), text(1 + c.z), text(t.z));
   }
@@ -196,7 +198,7 @@ Block random_shape(Dice& dice, int depth, bool is_solid) {
 }
 
 void place(Dice& dice, Block& thing, double reach) {
-  thing.set("at", text(dice.vector(-reach, reach)));
+  thing.set("at", text(dice.point(-reach, reach)));
   if (dice.chance(0.4)) thing.set("rotate", text(dice.vector(-180, 180)));
   if (dice.chance(0.3)) {
     const auto factor = [&] { return dice.between(0.6, 1.4) * (dice.chance(0.1) ? -1 : 1); };

@@ -28,11 +28,12 @@ Vec3 against(const Vec3& normal, const Vec3& direction) {
 
 // From outside towards the middle, or from somewhere in it.
 std::vector<Ray> random_rays(std::uint64_t seed, int count) {
-  Dice dice(seed ^ 0x5261797321);
+  Dice scene(seed), dice(seed ^ 0x5261797321);
+  dice.length_unit = random_length_unit(scene);
   std::vector<Ray> rays;
   for (int i = 0; i < count; ++i) {
-    const Vec3 origin = dice.chance(0.15) ? dice.vector(-2, 2) : dice.direction() * dice.between(5, 9);
-    rays.push_back({origin, normalize(dice.vector(-2, 2) - origin)});
+    const Vec3 origin = dice.chance(0.15) ? dice.point(-2, 2) : dice.direction() * dice.length(5, 9);
+    rays.push_back({origin, normalize(dice.point(-2, 2) - origin)});
   }
   return rays;
 }
@@ -115,7 +116,8 @@ public:
       const std::size_t begin = i * scenes_in_a_run;
       batch(settings_.first + begin, std::min(scenes_in_a_run, settings_.scenes - begin));
     });
-    std::sort(result_.failures.begin(), result_.failures.end(), [](const Failure& a, const Failure& b) { return a.scene < b.scene; });
+    std::ranges::sort(result_.failures, {}, &Failure::scene);
+    std::ranges::sort(result_.refusals, {}, &Refusal::scene);
     const std::size_t kept = std::min(settings_.keep_failures, result_.failures.size());
     povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result_.failures[i]); });
     return std::move(result_);
@@ -137,6 +139,12 @@ private:
       const Block block = file(first + i);
       try {
         scenes[i] = load(print(block));
+        if (auto why = refusal(*scenes[i])) {
+          scenes[i].reset();
+          const std::lock_guard lock(mutex_);
+          result_.refusals.push_back({first + i, std::move(*why)});
+          continue;
+        }
       } catch (const std::exception& error) {
         const std::lock_guard lock(mutex_);
         result_.failures.push_back({first + i, error.what(), print(block)});
@@ -216,6 +224,7 @@ private:
     const auto fails = [&](const Block& block) {
       try {
         const scene::Scene scene = load(print(block));
+        if (refusal(scene)) return false;
         Script script;
         script.ask(geometry_of(scene), own);
         RunResult ignored;

@@ -21,6 +21,7 @@ struct Arguments {
   std::string folder = ".";
   long print_only = -1;
   bool all_pairs = false;
+  bool lists_explained = false;
   bool is_quiet = false;
 };
 
@@ -35,6 +36,7 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--keep", a.settings.keep_failures, "how many failing scenes are made small and saved");
   app.add_option("--print", a.print_only, "only prints the scene of this number");
   app.add_flag("--pairs", a.all_pairs, "prints how often each pair of features occurred");
+  app.add_flag("--explained", a.lists_explained, "prints each pixel whose colour differs with an explanation");
   app.add_flag("-q,--quiet", a.is_quiet, "no progress");
 }
 
@@ -53,6 +55,7 @@ int run(Arguments& a) {
   const oracle::RunResult result = mode == oracle::Mode::color ? run_colors(a.settings) : run_geometry(a.settings);
   throw_if_stopped();
   print(report(result, mode, a.all_pairs));
+  if (a.lists_explained) print(list_explained(result));
   for (std::size_t i = 0; i < std::min(a.settings.keep_failures, result.failures.size()); ++i) {
     const oracle::Failure& f = result.failures[i];
     const std::string path = fmt::format("{}/{}_{}_{}.rtl", a.folder, a.mode, a.settings.seed, f.scene);

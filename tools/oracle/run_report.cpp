@@ -1,11 +1,12 @@
 #include "tools/oracle/runs.hpp"
+#include "tools/povray/retrace.hpp"
 
 #include <fmt/format.h>
 
 namespace rt::tools::oracle {
 namespace {
 
-constexpr double least_equal = 0.9999, least_precise = 0.999;
+constexpr double least_equal = 0.9999, least_precise = 0.999, most_refused = 0.01;
 
 // What a run over shapes alone does not look at.
 std::vector<std::string> not_looked_at(Mode mode) {
@@ -20,11 +21,13 @@ double share(std::size_t part, std::size_t whole) { return whole == 0 ? 1 : stat
 bool holds(const RunResult& r, Mode mode) {
   const bool has_precision = share(r.depths - r.depths_beyond_p999, r.depths) >= least_precise;
   const bool has_colors = mode == Mode::geometry || share(r.color_equal, r.samples) >= least_equal;
-  return r.failures.empty() && has_precision && has_colors && r.coverage.missing(not_looked_at(mode)).empty();
+  const bool has_most = share(r.refusals.size(), r.scenes + r.refusals.size()) <= most_refused;
+  return r.failures.empty() && has_most && has_precision && has_colors && r.coverage.missing(not_looked_at(mode)).empty();
 }
 
 std::string report(const RunResult& r, Mode mode, bool all_pairs) {
   std::string text = fmt::format("scenes {}, {} {}\n", r.scenes, mode == Mode::color ? "pixels" : "rays", r.samples);
+  if (!r.refusals.empty()) text += fmt::format("scenes that POV-Ray cannot compute exactly, left out: {}\n", r.refusals.size());
   text += fmt::format("objects: {} mismatches, {} unexplained\n", r.id_mismatches, r.ids_unexplained);
   text += fmt::format("distances: {} compared, largest relative difference {:.3g}, {:.5f} % within 1e-12\n", r.depths, r.depth_max,
                       100 * share(r.depths - r.depths_beyond_p999, r.depths));
@@ -34,8 +37,17 @@ std::string report(const RunResult& r, Mode mode, bool all_pairs) {
                         100 * share(r.color_equal, r.samples), r.color_explained_by_limits, r.color_explained_by_rounding, r.color_unexplained);
   text += r.coverage.report(all_pairs);
   for (const std::string& name : r.coverage.missing(not_looked_at(mode))) text += fmt::format("NEVER: {}\n", name);
+  for (const Refusal& refused : r.refusals) text += fmt::format("left out: scene {}: {}\n", refused.scene, refused.why);
   for (const Failure& f : r.failures) text += fmt::format("FAILED: scene {}: {}\n", f.scene, f.what);
   return text + (holds(r, mode) ? "all hold\n" : "NOT ALL HOLD\n");
+}
+
+std::string list_explained(const RunResult& r) {
+  std::string text;
+  for (const auto& [scene, o] : r.explained)
+    text += fmt::format("scene {} ({}, {}): {}: colour {:.3g}, with POV-Ray's limits {:.3g}\n", scene, o.x, o.y, povray::cause_name(o.cause),
+                        o.color_error, povray::color_difference(o.again, o.theirs));
+  return text;
 }
 
 } // namespace rt::tools::oracle

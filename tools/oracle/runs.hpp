@@ -5,6 +5,7 @@
 #include "tools/povray/compare.hpp"
 
 #include <functional>
+#include <optional>
 
 /// Random scenes, many of them, against POV-Ray.
 namespace rt::tools::oracle {
@@ -26,8 +27,20 @@ struct Failure {
   std::string text;      ///< the scene, as small as it could be made where `keep_failures` allowed that
 };
 
+/// A scene that POV-Ray cannot compute exactly, as the exporter said: it is left out of the comparison.
+struct Refusal {
+  std::size_t scene = 0;
+  std::string why;
+};
+
+/// A pixel of another colour that has an explanation.
+struct Explained {
+  std::size_t scene = 0;
+  povray::Outlier pixel;
+};
+
 struct RunResult {
-  std::size_t scenes = 0;
+  std::size_t scenes = 0; ///< that were compared
   std::size_t samples = 0; ///< pixels, or rays
   std::size_t depths = 0, depths_beyond_p999 = 0;
   double depth_max = 0, normal_max = 0;
@@ -36,7 +49,9 @@ struct RunResult {
   std::size_t color_equal = 0, color_explained_by_limits = 0, color_explained_by_rounding = 0, color_unexplained = 0;
   double color_max = 0; ///< of the pixels without explanation
   Coverage coverage;
-  std::vector<Failure> failures; ///< by the scene's number
+  std::vector<Failure> failures;    ///< by the scene's number
+  std::vector<Refusal> refusals;    ///< the same
+  std::vector<Explained> explained; ///< the same
 };
 
 /// Whole pictures: ids, distances, normals and colours.
@@ -44,9 +59,14 @@ RunResult run_colors(const RunSettings& settings);
 /// Distances and normals along random rays, through POV-Ray's `trace`, many scenes in one run of it.
 RunResult run_geometry(const RunSettings& settings);
 
+/// Why POV-Ray cannot compute the scene exactly; nothing if it can.
+std::optional<std::string> refusal(const scene::Scene& scene);
+
 /// A table of the result, the features and, if wanted, each pair of them.
 std::string report(const RunResult& result, Mode mode, bool all_pairs);
-/// Whether all bounds hold and every feature occurred.
+/// A line for each pixel whose colour differs with an explanation.
+std::string list_explained(const RunResult& result);
+/// Whether all bounds hold, every feature occurred and no more than one scene in a hundred was refused.
 bool holds(const RunResult& result, Mode mode);
 
 /// The description of a generated file. Throws std::runtime_error with the first diagnostic if it does not load.

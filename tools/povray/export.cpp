@@ -25,6 +25,8 @@ public:
   Exported run() {
     for (const Object& object : scene_.objects) count_uses(object);
     eyes_ = ray_origins(scene_.camera, scene_.size);
+    for (const Origin& origin : dropped_triangles(scene_))
+      inexact_.push_back({"POV-Ray leaves out a triangle whose `normals`, as its transforms leave them, are not all on the same side of it", origin});
     has_media_ = std::any_of(scene_.materials.begin(), scene_.materials.end(), needs_interior);
     Writer objects = write_objects();
     Writer out;
@@ -124,12 +126,6 @@ private:
       if (has_surface(o)) object(out, o, around);
   }
 
-  bool has_smooth(const Object& o) const {
-    if (!o.is_visible || !is_composite(o.shape)) return o.is_visible && is_smooth(scene_.shapes, o.shape);
-    const auto& parts = members(o.shape);
-    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return has_smooth(part); });
-  }
-
   // POV-Ray wants no composite without members.
   bool has_surface(const Object& o) const {
     if (!o.is_visible || !is_composite(o.shape)) return o.is_visible;
@@ -143,24 +139,26 @@ private:
   void object(Writer& out, const Object& o, const Around& around) {
     comment_origin(out, noun(o.shape), o.name, o.origin);
     Around inside = around;
+    const Placement placement = placement_of(scene_, o);
+    const std::optional<Triangle> kept = moved_to_be_kept(scene_, o);
+    const std::string own = transforms(placement);
     std::string modifiers;
-    if (options_.pass == Pass::color) modifiers = surface(o, around, inside) + shadow(o, around, inside);
+    if (options_.pass == Pass::color) modifiers = surface(o, around, inside, kept ? own : "") + shadow(o, around, inside);
     if (options_.pass == Pass::ids && !around.in_solid && o.shape.kind != kind_of<Group>)
       modifiers = fmt::format(" {}", id_texture(++last_id_));
-    const Placement placement = placement_of(scene_, o);
     inside.to_scene = then(map_of(placement), around.to_scene);
     if (options_.pass == Pass::color) modifiers += eye(o, inside);
     const bool has_texture = modifiers.find(" texture {") != std::string::npos;
-    modifiers += transforms(placement) + (has_texture ? around.after_textured : around.after_plain);
+    modifiers += (kept ? "" : own) + (has_texture ? around.after_textured : around.after_plain);
     // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only in
     // `scale`: not in `matrix`.
-    const std::string last = !around.is_inside && has_smooth(o) ? " scale 1" : "";
+    const std::string last = !around.is_inside && has_smooth(scene_, o) ? " scale 1" : "";
     modifiers += last;
     inside.is_inside = true;
     if (o.shape.kind == kind_of<Group> && options_.pass == Pass::color && !around.in_solid && (around.is_apart || must_be_apart(o, inside))) {
       inside.is_apart = true;
       inside.after_plain = modifiers;
-      inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + transforms(placement) + around.after_textured + last;
+      inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + own + around.after_textured + last;
       return objects(out, members(o.shape), inside);
     }
     inside.is_apart = false;
@@ -169,9 +167,7 @@ private:
     if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
     else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
     else {
-      if (o.shape.kind == kind_of<Triangle> && is_dropped(scene_.shapes.get<Triangle>(o.shape)))
-        inexact_.push_back({"POV-Ray leaves out a triangle whose `normals` are not all on the same side of it", o.origin});
-      const Primitive p = primitive(scene_.shapes, o.shape);
+      const Primitive p = kept ? primitive(*kept) : is_thin(o, inside) ? thin_primitive(scene_.shapes.get<Disc>(o.shape)) : primitive(scene_.shapes, o.shape);
       out.line(fmt::format("{} {{ {}{} }}", p.keyword, p.body, modifiers));
     }
   }
@@ -186,17 +182,16 @@ private:
   }
 
   // The texture where the object is the one that says it, and the index of refraction where it is a solid of its own.
-  std::string surface(const Object& o, const Around& around, Around& inside) {
+  std::string surface(const Object& o, const Around& around, Around& inside, const std::string& moved) {
     std::string text;
     if (o.material != no_material) inside.material = o.material;
     if (o.material != no_material || !around.is_textured) {
-      text = fmt::format(" texture {{ {} }}", texture(o.material));
+      text = fmt::format(" texture {{ {}{} }}", texture(o.material), moved);
       inside.is_textured = true;
     }
-    if (around.in_solid || o.shape.kind == kind_of<Group> || !has_interior(o, around.material)) return text;
-    const Material* medium = o.material != no_material && material(o.material).refract > 0 ? &material(o.material)
-                                                                                           : refracting_part(o, around.material);
-    return fmt::format("{} {}", text, interior(medium ? *medium : material(inside.material)));
+    if (around.in_solid || o.shape.kind == kind_of<Group> || !leftmost(o, around.material, needs_interior)) return text;
+    const bool says_it = o.material != no_material && needs_interior(material(o.material));
+    return fmt::format("{} {}", text, interior(says_it ? material(o.material) : *leftmost(o, around.material, needs_interior)));
   }
 
   // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of what
@@ -204,15 +199,22 @@ private:
   std::string eye(const Object& o, const Around& inside) {
     if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group>) return {};
     const std::size_t held = held_eyes(o, inside.to_scene);
-    if (held == 0) return {};
+    if (held == 0 || is_thin(o, inside)) return {};
     if (is_medium(o, inside.material)) {
       if (++media_around_eye_ == 2)
         inexact_.push_back({"the eye is inside more than one transparent solid, and POV-Ray does not say which it takes for the inner one", o.origin});
       return {};
     }
     if (held < eyes_.size())
-      inexact_.push_back({"a part of the view's rays starts inside of this: POV-Ray takes it for a medium", o.origin});
+      inexact_.push_back({"a part of the view's rays starts inside of this opaque thing: POV-Ray takes it for a medium that they are in", o.origin});
     return " inverse";
+  }
+
+  // A disc that only some of the view's rays start below is written without that inside.
+  bool is_thin(const Object& o, const Around& inside) const {
+    if (options_.pass != Pass::color || !has_media_ || o.shape.kind != kind_of<Disc>) return false;
+    const std::size_t held = held_eyes(o, inside.to_scene);
+    return held > 0 && held < eyes_.size();
   }
 
   // How many of the points where rays start are inside.
@@ -222,7 +224,7 @@ private:
   }
 
   bool is_medium(const Object& o, MaterialId inherited) const {
-    return !is_open(scene_.shapes, o.shape) && refracting_part(o, inherited) != nullptr;
+    return o.shape.kind != kind_of<Disc> && leftmost(o, inherited, [](const Material& m) { return m.refract > 0; }) != nullptr;
   }
 
   // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
@@ -239,19 +241,13 @@ private:
     return false;
   }
 
-  bool has_interior(const Object& o, MaterialId inherited) const {
+  // The first material of a part that is such. A combination is one medium: its own material's, else that of its leftmost
+  // part that has an index.
+  template <class Is> const Material* leftmost(const Object& o, MaterialId inherited, const Is& is_such) const {
     const MaterialId id = o.material != no_material ? o.material : inherited;
-    if (!is_composite(o.shape)) return needs_interior(material(id));
-    const auto& parts = members(o.shape);
-    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return part.is_visible && has_interior(part, id); });
-  }
-
-  // A combination is one medium: its own material's, else that of its leftmost refracting part.
-  const Material* refracting_part(const Object& o, MaterialId inherited) const {
-    const MaterialId id = o.material != no_material ? o.material : inherited;
-    if (!is_composite(o.shape)) return material(id).refract > 0 ? &material(id) : nullptr;
+    if (!is_composite(o.shape)) return is_such(material(id)) ? &material(id) : nullptr;
     for (const Object& part : members(o.shape))
-      if (const Material* found = part.is_visible ? refracting_part(part, id) : nullptr) return found;
+      if (const Material* found = part.is_visible ? leftmost(part, id, is_such) : nullptr) return found;
     return nullptr;
   }
 

@@ -72,12 +72,6 @@ bool holds_in_povray(const Scene& scene, const Object& object, const Map& placem
   return scene.shapes.visit(object.shape, [&](const auto& shape) { return holds(shape, p); });
 }
 
-bool is_open(const Shapes& shapes, ShapeRef shape) {
-  if (shape.kind == kind_of<Cylinder>) return shapes.get<Cylinder>(shape).open && !shapes.get<Cylinder>(shape).infinite;
-  if (shape.kind == kind_of<Cone>) return shapes.get<Cone>(shape).open;
-  return shape.kind == kind_of<Disc>;
-}
-
 Placement placement_of(const Scene& scene, const Object& o) {
   Placement placement = o.turn == no_turn ? Placement{} : scene.turns[static_cast<std::size_t>(o.turn)];
   placement.at = o.at;

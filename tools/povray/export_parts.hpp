@@ -3,6 +3,7 @@
 #include "tools/povray/export.hpp"
 #include "tools/povray/sdl.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,20 @@ struct Primitive {
 /// Of a shape that is no composite.
 Primitive primitive(const scene::Shapes& shapes, scene::ShapeRef shape);
 
-/// Whether the shape is a triangle with vertex normals.
+/// A disc that has next to no inside: POV-Ray takes all that is below one for its inside.
+Primitive thin_primitive(const scene::Disc& disc);
+
+/// Whether the shape is a triangle with vertex normals, and whether there is one in it.
 bool is_smooth(const scene::Shapes& shapes, scene::ShapeRef shape);
-/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it.
+bool has_smooth(const scene::Scene& scene, const scene::Object& object);
+/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it; it looks after each
+/// transform.
 bool is_dropped(const scene::Triangle& triangle);
+/// Where the triangles are written that POV-Ray would leave out however their own transforms are written.
+std::vector<scene::Origin> dropped_triangles(const scene::Scene& scene);
+/// The triangle with its own transforms applied, if POV-Ray would leave it out before or between them but not after.
+std::optional<scene::Triangle> moved_to_be_kept(const scene::Scene& scene, const scene::Object& object);
+Primitive primitive(const scene::Triangle& triangle);
 
 /// `head` is what stands before the brace: `texture` or `#declare name = texture`.
 void write_texture(Writer& out, const std::string& head, const scene::Scene& scene, const scene::Material& material,
@@ -34,8 +45,6 @@ std::string interior(const scene::Material& material);
 
 /// Whether POV-Ray takes the point, of the space that `placement` leads to, for inside the object.
 bool holds_in_povray(const scene::Scene& scene, const scene::Object& object, const Map& placement, const Vec3& point);
-/// Whether a shape has no inside for us, though it may have one for POV-Ray.
-bool is_open(const scene::Shapes& shapes, scene::ShapeRef shape);
 /// The object's placement in its parent, whole.
 scene::Placement placement_of(const scene::Scene& scene, const scene::Object& object);
 

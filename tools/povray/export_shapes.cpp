@@ -101,16 +101,17 @@ Primitive primitive_of(const Combination&) { return {}; }
 
 } // namespace
 
-bool is_smooth(const Shapes& shapes, ShapeRef shape) {
-  return shape.kind == kind_of<Triangle> && shapes.get<Triangle>(shape).normals.size() == 3;
+// The slab is cut away by a thinner and narrower one; what is inside of it and below the disc is all that is left of the
+// disc's inside, because POV-Ray does not ask `clipped_by` for that.
+Primitive thin_primitive(const Disc& d) {
+  const Vec3 half = d.normal / std::hypot(d.normal.x, d.normal.y, d.normal.z) * (d.radius * 1e-3);
+  const auto slab = [&](double height, double width) {
+    return fmt::format("cylinder {{ {}, {}, {} }}", vector(half * -height), vector(half * height), number(width * d.radius));
+  };
+  return {"intersection", fmt::format("disc {{ {} }} {} clipped_by {{ {} }}", primitive_of(d).body, slab(1, 2), slab(0.5, 1.5))};
 }
 
-bool is_dropped(const Triangle& t) {
-  if (t.normals.size() != 3) return false;
-  const Vec3 flat = cross(t.points[0] - t.points[1], t.points[2] - t.points[1]);
-  const auto side = [&](std::size_t i) { return dot(flat, t.normals[i]); };
-  return !(side(0) > 0 && side(1) > 0 && side(2) > 0) && !(side(0) < 0 && side(1) < 0 && side(2) < 0);
-}
+Primitive primitive(const Triangle& triangle) { return primitive_of(triangle); }
 
 Primitive primitive(const Shapes& shapes, ShapeRef shape) {
   return shapes.visit(shape, [](const auto& s) { return primitive_of(s); });

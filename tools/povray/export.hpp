@@ -49,6 +49,10 @@ std::uint32_t decode_id(Packed pixel);
 /// The pixel of `Pass::depth`: the distance with a relative error of at most 2⁻⁴², infinite for a miss.
 double decode_depth(Packed pixel);
 
+/// The pixels that these are decoded from.
+Packed encode_id(std::uint32_t id);
+Packed encode_depth(double distance);
+
 /// `FILE:LINE` of what `origin` names; empty where it was not written.
 std::string place_text(const scene::Scene& scene, scene::Origin origin);
 

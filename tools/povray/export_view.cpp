@@ -151,9 +151,27 @@ double decode_depth(Packed pixel) {
   return std::ldexp(0.5 + u / 2, exponent);
 }
 
+Packed encode_depth(double distance) {
+  if (std::isinf(distance)) return {};
+  int exponent = 0;
+  double rest = (2 * std::frexp(distance, &exponent) - 1) * 65536;
+  const auto next = [&](double steps) {
+    const double whole = std::floor(rest);
+    rest = (rest - whole) * steps;
+    return static_cast<int>(whole);
+  };
+  const int high = next(65536), middle = next(512), low = next(1);
+  return {static_cast<std::uint16_t>(high), static_cast<std::uint16_t>(middle), static_cast<std::uint16_t>((exponent + 32) * 512 + low)};
+}
+
 std::string id_texture(std::uint32_t id) {
   return fmt::format("texture {{ pigment {{ rgb <{}, {}, {}>/255 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}", id % 256,
                      id / 256 % 256, id / 65536);
+}
+
+Packed encode_id(std::uint32_t id) {
+  const auto byte = [&](int shift) { return static_cast<std::uint16_t>((id >> shift) % 256 * 257); };
+  return {byte(0), byte(8), byte(16)};
 }
 
 std::uint32_t decode_id(Packed pixel) {

@@ -20,12 +20,16 @@ install_packages() {
       fail "these packages are missing, and installing them takes root or sudo: ${missing[*]}"
     as_root=(sudo)
   fi
-  echo "Installing ${missing[*]}"
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -qq)
+  echo "Installing ${missing[*]} (what apt-get says goes to build/packages.log)"
+  mkdir -p build
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -q)
   # A list that cannot be fetched (some other repository of this machine) need not stop us: installing tells.
-  "${apt[@]}" update </dev/null || echo "Some package lists could not be fetched: trying with those at hand." >&2
-  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null ||
+  "${apt[@]}" update </dev/null &>build/packages.log ||
+    echo "Some package lists could not be fetched: trying with those at hand." >&2
+  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null &>>build/packages.log; then
+    tail -n 20 build/packages.log >&2
     fail "apt-get could not install: ${missing[*]}"
+  fi
 }
 
 # require_packages KIND…: the same on Debian 12; elsewhere it says what is needed and stops.

@@ -3,6 +3,7 @@
 
 #include "lang/diagnostic.hpp"
 #include "lang/load.hpp"
+#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,5 @@
 #include "lang/load.hpp"
+#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,6 +2,7 @@
 #include "lang/tokens.hpp"
 #include "tests/lang/parsing.hpp"
 #include "tests/lang/random_program.hpp"
+#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -9,9 +9,9 @@
 
 namespace rt::lang::testing {
 
-/// The text as a scene of its own, with everything that was said about it.
+/// The text as a scene of its own, in a folder without other files, with everything that was said about it.
 inline Loaded load(std::string text, const LoadOptions& options = {}) {
-  return load_text(std::move(text), "test.rtl", RTLANG_SOURCE_DIR "/tests/lang/scenes", options);
+  return load_text(std::move(text), "test.rtl", "no/such/folder", options);
 }
 
 /// The codes of the errors, in order; notes and warnings are left out.

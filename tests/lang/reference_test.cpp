@@ -1,5 +1,6 @@
 #include "lang/load.hpp"
 #include "lang/reference.hpp"
+#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,5 @@
 #include "tests/oracle/live.hpp"
+#include "tests/paths.hpp"
 
 #include <fmt/format.h>
 

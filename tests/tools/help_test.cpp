@@ -1,5 +1,6 @@
 // What the program says of itself, and whether the manual page and the shells' completion say the same.
 
+#include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // The rules of the house that can be read off the sources: who may include whom, and what the set-up installs.
 
+#include "tests/paths.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

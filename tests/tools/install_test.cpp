@@ -1,5 +1,6 @@
 // What a user gets: the installed files, and a README that tells the truth.
 
+#include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
 #include <filesystem>
@@ -68,6 +69,14 @@ TEST_CASE("readme: every scene in it renders") {
     options.input = scene;
     CHECK(rtlang({"-", "-o", "-", "--size", "16x12", "-q"}, options).exit_code == 0);
   }
+}
+
+TEST_CASE("readme: the scene it begins with is the one that setup renders") {
+  std::ostringstream first;
+  first << std::ifstream(fs::path(RTLANG_SOURCE_DIR) / "examples/first.rtl").rdbuf();
+  const std::string comment = first.str().substr(0, first.str().find('\n') + 1);
+  CHECK(comment.starts_with("//"));
+  CHECK(first.str() == comment + blocks(readme(), "rtl").at(0));
 }
 
 TEST_CASE("readme: what it shows is there") {

@@ -1,3 +1,4 @@
+#include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "tests/paths.hpp"
 #include "tests/tools/pty.hpp"
 
 #include <catch2/catch.hpp>

@@ -58,7 +58,7 @@ private:
         return;
       }
       features = features_of(scene);
-      c = compare(scene);
+      c = compare(scene, 1);
       what = complaint(c, {});
     } catch (const povray::Missing&) {
       throw;
@@ -73,14 +73,14 @@ private:
     if (settings_.on_progress) settings_.on_progress(result_.scenes);
   }
 
-  povray::Comparison compare(scene::Scene& scene) const {
+  povray::Comparison compare(scene::Scene& scene, int at_once) const {
     scene.size = {settings_.width, settings_.height};
     RenderOptions options;
     options.threads = 1;
     options.layers = true;
     const Film film = render(scene, options).film;
     povray::ShootOptions shoot;
-    shoot.at_once = 1;
+    shoot.at_once = at_once;
     shoot.run.stop = settings_.stop;
     return povray::compare(scene, film, povray::shoot(scene, shoot));
   }
@@ -107,7 +107,7 @@ private:
     const auto fails = [&](const Block& block) {
       try {
         scene::Scene scene = load(print(block));
-        return !refusal(scene) && !complaint(compare(scene), {}).empty();
+        return !refusal(scene) && !complaint(compare(scene, 4), {}).empty();
       } catch (const std::exception&) {
         return false;
       }

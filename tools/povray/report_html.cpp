@@ -24,10 +24,11 @@ constexpr std::string_view page = R"html(<!doctype html>
   body { font: 15px/1.45 system-ui, sans-serif; max-width: 72rem; margin: 1.5rem auto; padding: 0 1rem; }
   h1 { font-size: 1.35rem; margin: 0 0 .2rem; } h2 { font-size: 1.05rem; margin: 1.6rem 0 .5rem; }
   table { border-collapse: collapse; } th, td { text-align: left; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-  td.number { text-align: right; font-variant-numeric: tabular-nums; }
+  td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+  .wide { overflow-x: auto; }
   .good { color: var(--good); font-weight: 600; } .bad { color: var(--bad); font-weight: 600; }
   fieldset { border: 0; padding: 0; margin: 0 0 .6rem; display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; }
-  #stage { position: relative; width: min(100%, %STAGE%px); aspect-ratio: %WIDTH% / %HEIGHT%; background: #000; }
+  #stage { position: relative; width: min(100%, %STAGE%px); aspect-ratio: %WIDTH% / %HEIGHT%; background: #000; touch-action: pan-y; }
   #stage img { position: absolute; inset: 0; width: 100%; height: 100%; image-rendering: pixelated; }
   #cut { position: absolute; top: 0; bottom: 0; width: 2px; background: #fff; mix-blend-mode: difference; pointer-events: none; }
   #share { width: min(100%, %STAGE%px); margin: .4rem 0 0; display: block; }
@@ -41,11 +42,11 @@ constexpr std::string_view page = R"html(<!doctype html>
 <h1>%TITLE%</h1>
 <p>%SUMMARY%</p>
 %INEXACT%
-<table>
+<div class="wide"><table>
 <thead><tr><th></th><th>gate</th><th>value</th><th>bound</th><th>meaning</th></tr></thead>
 <tbody>
 %GATES%</tbody>
-</table>
+</table></div>
 <h2>Pictures</h2>
 <fieldset id="views">
   <label><input type="radio" name="view" value="slider" checked> slider: ours left, POV-Ray right</label>
@@ -83,8 +84,9 @@ function show() {
 }
 find("views").addEventListener("change", show);
 find("share").addEventListener("input", show);
-find("stage").addEventListener("pointermove", event => {
+for (const name of ["pointerdown", "pointermove"]) find("stage").addEventListener(name, event => {
   if (event.buttons !== 1) return;
+  event.preventDefault();
   const box = find("stage").getBoundingClientRect();
   find("share").value = 1000 * (event.clientX - box.left) / box.width;
   show();

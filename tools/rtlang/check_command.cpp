@@ -101,7 +101,8 @@ Action declare_check(CLI::App& app) {
   arguments->scene = add_scene_arguments(app);
   app.footer("Renders with both rtlang and POV-Ray 3.7 and compares what each pixel's centre ray hits, how far away, with which\n"
              "normal, and the pixel's colour. The exit code is 0 if every gate holds, 1 if not, 3 if POV-Ray is not installed.\n"
-             "Gates: ids, depth, depth_p999, normals, color, color_share, color_unexplained.");
+             "Gates: ids, depth, depth_p999, normals, color, color_share, color_unexplained. A pixel of another colour is explained\n"
+             "if it agrees once POV-Ray's own limits are taken over; no other may differ, and 99 % have to be equal as they are.");
   return [arguments] { return run_check(*arguments); };
 }
 

@@ -21,6 +21,7 @@ inline constexpr double unlimited = std::numeric_limits<double>::max();
 struct OwnTolerances {
   static constexpr bool moves_origins = true;
   static constexpr double nearest = 0; ///< least distance of a camera, mirrored or refracted ray's hit
+  static constexpr double farthest = unlimited; ///< and the greatest
   /// The part of a shadow ray, from the surface to the lamp, in which something blocks it. It ends a rounding before
   /// the lamp, so that a lamp lying in a surface shines.
   static double shadow_begin() { return 0; }
@@ -31,7 +32,7 @@ struct OwnTolerances {
 /// of refraction are rounded as POV-Ray does, too.
 struct PovrayTolerances {
   static constexpr bool moves_origins = false;
-  static constexpr double nearest = 1e-4;
+  static constexpr double nearest = 1e-4, farthest = 1e7;
   static double shadow_begin() { return 1e-3; }
   static double shadow_end(double distance) { return std::min(distance - 1e-3, unlimited); }
 };
@@ -54,7 +55,7 @@ public:
   /// hear of it as if one ray came after the other.
   void radiance(std::span<const Ray> rays, const std::vector<Interior>& inside, std::span<Color> results) {
     std::array<RayHit, accel::packet_size> hits;
-    scene_.nearest(rays, {Tolerances::nearest, unlimited}, hits, scratch_);
+    scene_.nearest(rays, {Tolerances::nearest, Tolerances::farthest}, hits, scratch_);
     meet_all(rays, hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       interiors_.release(0);
@@ -128,7 +129,7 @@ private:
     Color sum = black,
           passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
     for (int crossings = 0; crossings < max_crossings; ++crossings, first = nullptr) {
-      const RayHit hit = first ? first->hit : scene_.nearest(ray, {Tolerances::nearest, unlimited}, scratch_);
+      const RayHit hit = first ? first->hit : scene_.nearest(ray, {Tolerances::nearest, Tolerances::farthest}, scratch_);
       if (!hit) {
         recorder_.miss(scene_.background());
         return sum + passed * scene_.background();

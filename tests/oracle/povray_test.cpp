@@ -130,6 +130,20 @@ TEST_CASE("check: an explained pixel is named with its object, line and cause") 
   CHECK_THAT(report_text(report), Contains("POV-Ray's tolerance: sphere, test.rtl:4"));
 }
 
+// Found by the long run: a horizon is farther away than POV-Ray sees, straight, in a mirror and through glass.
+TEST_CASE("check: what is farther away than POV-Ray sees is explained by that") {
+  const std::string view = "size: [16, 12]\nbackground: #336699\ncamera { at: [0, 1, 0], look_at: [1, 1.00000003, 0], fov: 0.00001 }\nsun {}\n";
+  for (const char* things : {"plane {}", "plane {}\nquad { corner: [2, 0, -1], edge_u: [0, 3, 0], edge_v: [0, 0, 2], material: material { refract: 0.8, reflect: 0.2, diffuse: 0 } }",
+                             "plane { material: material { color: peru, reflect: 0.3 } }"}) {
+    const Checked c = check_scene(scene_of(view + things));
+    INFO(things);
+    CHECK_FALSE(c.comparison.outliers.empty());
+    CHECK(c.comparison.ids_unexplained == 0);
+    CHECK(c.comparison.color_unexplained == 0);
+    for (const povray::Outlier& o : c.comparison.outliers) CHECK(o.cause == povray::Cause::tolerance);
+  }
+}
+
 TEST_CASE("export: POV-Ray keeps every bit of the numbers that are written") {
   const double values[] = {0.1, 1.0 / 3, 123456.789012345678, 5e-5, 1 + 1e-15};
   std::string script = "#version 3.7; global_settings { assumed_gamma 1.0 } camera { location 0 direction z }\n#fopen OUT \"out\" write\n";

@@ -39,14 +39,20 @@ std::string complaint(const std::string& errors) {
   return text.substr(0, 2000);
 }
 
+constexpr int most_starts = 5;
+
 // -D: no window, -A: no antialiasing, -P -V: nothing to wait for or to look at; the streams but the one of errors are off.
 void run(const ScratchFolder& folder, const std::string& text, int width, int height, const RunOptions& options) {
   write_file(folder.path() / "scene.pov", text);
-  const ProcessResult result = run_process(
-      program(),
-      {"+Iscene.pov", "+Oscene.ppm", "+FP16", fmt::format("+W{}", width), fmt::format("+H{}", height), "-D", "-A", "-P", "-V",
-       "-GR", "-GS", "-GD", "-GW", fmt::format("+WT{}", std::max(1, options.threads)), "File_Gamma=1.0"},
-      folder.path(), options.time_limit, options.stop);
+  const std::vector<std::string> arguments{
+      "+Iscene.pov", "+Oscene.ppm", "+FP16", fmt::format("+W{}", width), fmt::format("+H{}", height), "-D", "-A", "-P", "-V",
+      "-GR", "-GS", "-GD", "-GW", fmt::format("+WT{}", std::max(1, options.threads)), "File_Gamma=1.0"};
+  ProcessResult result;
+  // On a busy machine POV-Ray may give up before it has begun.
+  for (int start = 0; start < most_starts; ++start) {
+    result = run_process(program(), arguments, folder.path(), options.time_limit, options.stop);
+    if (result.exit_code == 0 || result.errors.find("Timed out waiting for worker thread startup") == std::string::npos) break;
+  }
   if (result.stopped) throw Failed("stopped while POV-Ray was at work");
   if (result.timed_out)
     throw Failed(fmt::format("POV-Ray did not end within {} s", std::chrono::duration<double>(options.time_limit).count()));

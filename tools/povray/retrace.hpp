@@ -19,7 +19,7 @@ public:
   explicit Retracer(const scene::Scene& scene);
   ~Retracer();
 
-  /// The pixel's colour under POV-Ray's limits: no hit nearer than 1e-4, no blocker nearer than 1e-3 to either end of a
+  /// The pixel's colour under POV-Ray's limits: no hit nearer than 1e-4 or farther than 1e7, no blocker nearer than 1e-3 to either end of a
   /// shadow ray, indices of refraction rounded to 32 bits.
   Rgb32 color(int x, int y);
   /// Whether the pixel has that colour, within `tolerance`, for rays turned by no more than 1e-12: then it hangs on the

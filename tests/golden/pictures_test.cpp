@@ -3,6 +3,7 @@
 
 #include "lang/load.hpp"
 #include "renderer/image/file.hpp"
+#include "tests/paths.hpp"
 #include "tools/oracle/feature_scenes.hpp"
 #include "tools/oracle/golden.hpp"
 

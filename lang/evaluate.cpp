@@ -44,6 +44,7 @@ Evaluated Evaluator::run(const ObserverMaker* observe) {
   observer_.reset();
   alone_ = {};
   expectations_.clear();
+  loops_.clear();
   return {std::move(scene_), steps_, std::move(outcome_)};
 }
 

@@ -31,11 +31,11 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
     return;
   case Kind::expect:
     if (make_observer_ && unsure_ == 0 && target.kind == Target::Kind::scene)
-      expectations_.push_back({context.unit, node, Ref<Frame>(context.frame)});
+      expectations_.push_back({context.unit, node, Ref<Frame>(context.frame), turn_of_loops()});
     return;
   case Kind::property: return property_item(node, context, target);
   case Kind::for_:
-    return for_each(node, context, [&](const Context& inner) { items(inner.ast().for_item(node).body, inner, target); });
+    return loop_items(node, context, target);
   case Kind::if_: return if_item(node, context, target);
   case Kind::repeat: return repeat(node, context, target);
   case Kind::comprehension: return put_comprehension(ast.comprehension(node), 0, context, target);
@@ -45,6 +45,16 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
   default: break;
   }
   put(expression(node, context), ast.span(node), target);
+}
+
+void Evaluator::loop_items(NodeId node, const Context& context, Target& target) {
+  const auto body = [&](const Context& inner) { items(inner.ast().for_item(node).body, inner, target); };
+  if (!make_observer_) return for_each(node, context, body);
+  for_each(node, context, [&](const Context& inner) {
+    loops_.push_back({&inner.ast(), node, inner.frame});
+    body(inner);
+    loops_.pop_back();
+  });
 }
 
 void Evaluator::repeat(NodeId node, const Context& context, Target& target) {

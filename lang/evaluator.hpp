@@ -236,11 +236,24 @@ private:
   void check_media(const std::vector<scene::Object>& objects);
 
   // Expectations (expectations.cpp)
+  struct LoopVariable {
+    Span name;
+    Value value;
+  };
   struct Expectation {
     Unit* unit;
     NodeId node;
     Ref<Frame> frame;
+    std::vector<LoopVariable> turn; // of the loops it stands in, the outermost first
   };
+  // A loop of items that is being run, while there is somebody to look.
+  struct Loop {
+    const Ast* ast;
+    NodeId node;
+    Frame* frame;
+  };
+  void loop_items(NodeId node, const Context& context, Target& target);
+  std::vector<LoopVariable> turn_of_loops() const;
   void run_expectations();
   bool holds(const Expectation& expectation);
   bool holds_true(const Expectation& expectation, const ExpectItem& item);
@@ -279,6 +292,7 @@ private:
   std::size_t tried_functions_ = 0; // in a session: so many of the program's
   std::vector<scene::NameId> default_names_; // by symbol: once they were needed
   std::vector<Expectation> expectations_;
+  std::vector<Loop> loops_; // the outermost first
   Expectations outcome_;
   const ObserverMaker* make_observer_ = nullptr; // null: expectations are passed over
   std::unique_ptr<Observer> observer_;           // of the scene

@@ -67,6 +67,20 @@ void Evaluator::fail_expectation(const Expectation& expectation, std::string mes
   d.span = expectation.unit->ast.span(expectation.node);
   if (!expected.empty()) d.notes.push_back({std::nullopt, "expected " + std::move(expected)});
   if (!found.empty()) d.notes.push_back({std::nullopt, "found " + std::move(found)});
+  std::string turn;
+  for (const LoopVariable& v : expectation.turn)
+    turn += fmt::format("{}{} = {}", turn.empty() ? "" : ", ", program_.sources.text(v.name), format(v.value, program_.symbols));
+  if (!turn.empty()) d.notes.push_back({std::nullopt, "in the turn of the loop with " + turn});
+}
+
+std::vector<Evaluator::LoopVariable> Evaluator::turn_of_loops() const {
+  std::vector<LoopVariable> turn;
+  for (const Loop& loop : loops_) {
+    const ForItem item = loop.ast->for_item(loop.node);
+    for (const NodeId name : {item.index_name, item.value_name})
+      if (name != no_node) turn.push_back({loop.ast->span(name), (*loop.frame)[loop.ast->slot(name)]});
+  }
+  return turn;
 }
 
 bool Evaluator::holds_true(const Expectation& expectation, const ExpectItem& item) {

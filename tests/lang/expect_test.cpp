@@ -57,7 +57,7 @@ TEST_CASE("expect: the exercises hold") {
     CHECK(loaded.expectations.failed == 0);
     CHECK(loaded.expectations.passed > 0);
   }
-  CHECK(scenes == 12);
+  CHECK(scenes == 13);
 }
 
 TEST_CASE("expect: what is seen is named, and what was found instead is told") {
@@ -100,6 +100,12 @@ TEST_CASE("expect: loops keep their values, and a copy bears the name of what it
   CHECK(tried("for x in [1, 2, 3] { y = x * x\n expect y == x * x and x < 4 }").expectations.passed == 3);
   CHECK(tried(one_ball + "ball { at: [3, 0, 0] }\nexpect ray([3, 0, 9], [0, 0, -1]) hits ball").expectations.passed == 1);
   CHECK(tried("def post() { sphere {} }\npost {}\nexpect ray([0, 0, 9], [0, 0, -1]) hits \"post\"").expectations.passed == 1);
+}
+
+TEST_CASE("expect: a failure in a loop says which turn it was") {
+  const std::string text = failure("for i, x in [5, 6, 7] { for y in [[1, 2], [3, 4]] { expect x + y[0] < 10 } }");
+  CHECK(has(text, "in the turn of the loop with i = 2, x = 7, y = [3, 4]"));
+  CHECK(tried("for x in 0..3 { if x > 1 { expect x < 3 } }").expectations.passed == 1);
 }
 
 TEST_CASE("expect: it stands at the top level, and only rays hit") {

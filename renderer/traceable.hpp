@@ -60,6 +60,8 @@ public:
 
   /// All hits, from near to far; with equal distances in the order of declaration.
   std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
+  /// Whether what was hit stands in the way of light: it or what it is part of may be told not to.
+  bool casts_shadow(const RayHit& hit) const;
   /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
   /// An open cylinder or cone counts by the volume that its ends would close.
   std::vector<Interior> around(const Vec3& p) const;
@@ -76,8 +78,6 @@ public:
   int max_depth() const { return max_depth_; }
 
 private:
-  bool casts_shadow(const RayHit& hit) const;
-
   Traceable(const scene::Scene& scene, Compiled compiled);
 
   Compiled compiled_;

@@ -22,10 +22,15 @@ std::vector<HitReport> Tracer::all_hits(const Ray& ray, const Interval& range) c
 
 Color Tracer::radiance(const Ray& ray, Tolerances tolerances) const {
   NoRecorder recorder;
-  const Ray unit{ray.origin, normalize(ray.direction)};
   const std::vector<Interior> around = traceable_.around(ray.origin);
-  if (tolerances == Tolerances::own) return Whitted<>(traceable_, recorder).radiance(unit, around);
-  return Whitted<PovrayTolerances>(traceable_, recorder).radiance(unit, around);
+  if (tolerances == Tolerances::own) return Whitted<>(traceable_, recorder).radiance(unit(ray), around);
+  return Whitted<PovrayTolerances>(traceable_, recorder).radiance(unit(ray), around);
+}
+
+Ray Tracer::unit(const Ray& ray) {
+  const double squared = dot(ray.direction, ray.direction);
+  if (std::abs(squared - 1) <= 1e-15) return ray;
+  return {ray.origin, normalize(ray.direction)};
 }
 
 HitReport Tracer::report(const Ray& ray, const RayHit& hit) const {

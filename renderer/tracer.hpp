@@ -49,6 +49,10 @@ public:
   /// length of the ray's direction does not matter.
   Color radiance(const Ray& ray, Tolerances tolerances = Tolerances::own) const;
 
+  /// The ray as it is traced: with a direction of unit length. One that has it, up to rounding, is not touched, so that
+  /// a camera's ray gives what the picture shows to the last bit.
+  static Ray unit(const Ray& ray);
+
   const Traceable& scene() const { return traceable_; }
 
 private:

@@ -71,7 +71,7 @@ TEST_CASE("session as a script: what it saves makes the same picture, byte for b
 
 TEST_CASE("session as a script: the reference, POV-Ray's format and the program's own questions are at hand") {
   const TestFolder folder;
-  const Outcome outcome = session(folder, ":doc sphere\n:doc shininess\nsphere {}\n:export pov a.pov\n:probe 400 300\n");
+  const Outcome outcome = session(folder, ":doc sphere\n:doc shininess\nsphere {}\n:export pov a.pov\n:probe 400 300\n:why 400 300\n");
   CHECK(outcome.errors == "");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.output.find("radius") != std::string::npos);

@@ -28,8 +28,21 @@ std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::spa
   return found;
 }
 
+const scene::Object* spokesman(const scene::Scene& scene, std::span<const std::uint32_t> path) {
+  const auto objects = objects_on(scene, path);
+  for (const scene::Object* object : objects)
+    if (object->name != scene::no_name) return object;
+  for (const scene::Object* object : objects)
+    if (object->shape.kind == scene::kind_of<scene::Combination>) return object;
+  return objects.empty() ? nullptr : objects.back();
+}
+
 std::string name_of(const scene::Scene& scene, const scene::Object& object) {
   if (object.name != scene::no_name) return fmt::format("`{}`", name_at(scene, object.name));
+  if (object.shape.kind == scene::kind_of<scene::Combination>) {
+    static constexpr std::string_view operations[] = {"union", "intersection", "difference"};
+    return std::string(operations[static_cast<std::size_t>(scene.shapes.get<scene::Combination>(object.shape).operation)]);
+  }
   return scene.shapes.visit(object.shape, [](const auto& shape) { return std::string(shape.noun); });
 }
 
@@ -62,10 +75,8 @@ std::string describe(const scene::Scene& scene, const scene::Light& light) {
 }
 
 std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path) {
-  const auto objects = objects_on(scene, path);
-  for (const scene::Object* object : objects)
-    if (object->name != scene::no_name) return with_place(name_of(scene, *object), place_of(scene, object->origin));
-  return objects.empty() ? "?" : with_place(name_of(scene, *objects.back()), place_of(scene, objects.back()->origin));
+  const scene::Object* const object = spokesman(scene, path);
+  return object ? with_place(name_of(scene, *object), place_of(scene, object->origin)) : "?";
 }
 
 } // namespace rt::tools::ask

@@ -14,7 +14,11 @@ namespace rt::tools::ask {
 /// The path must be one of this scene's (`HitReport::path`).
 std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-/// Its name, or its noun where it has none.
+/// The object that answers for the whole of what was hit: the outermost that has a name, else the outermost combination,
+/// else the shape itself. None for an empty path.
+const scene::Object* spokesman(const scene::Scene& scene, std::span<const std::uint32_t> path);
+
+/// Its name, or its noun where it has none; of a combination its operation.
 std::string name_of(const scene::Scene& scene, const scene::Object& object);
 std::string name_of(const scene::Scene& scene, const scene::Light& light);
 
@@ -25,7 +29,7 @@ std::string place_of(const scene::Scene& scene, scene::Origin origin);
 std::string describe(const scene::Scene& scene, std::span<const std::uint32_t> path);
 std::string describe(const scene::Scene& scene, const scene::Light& light);
 
-/// The name that answers for the whole: of the outermost object that has one, else of the shape.
+/// The name of what answers for the whole.
 std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
 } // namespace rt::tools::ask

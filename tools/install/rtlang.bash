@@ -13,7 +13,7 @@ _rtlang() {
     --format) words='png exr ppm pfm' ;;
     --bits) words='8 16' ;;
     --stats) words='json' ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --ray | --at | --gate | --scenes | --seed) return ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --gate | --scenes | --seed) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')

@@ -6,6 +6,7 @@
 namespace rt::tools {
 
 Action declare_probe(CLI::App& app);
+Action declare_why(CLI::App& app);
 Action declare_test(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_ast(CLI::App& app);

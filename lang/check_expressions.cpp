@@ -1,4 +1,5 @@
 #include "lang/checker.hpp"
+#include "lang/dialects.hpp"
 #include "lang/suggest.hpp"
 #include "lang/thing.hpp"
 

@@ -1,5 +1,6 @@
 #include "lang/checker.hpp"
 #include "lang/css_colors.hpp"
+#include "lang/dialects.hpp"
 #include "lang/suggest.hpp"
 
 #include <fmt/format.h>
@@ -50,10 +51,13 @@ Checker::Binding* Checker::declare(Symbol symbol, Span span, Binding::What what)
   if (i >= innermost_.size()) innermost_.resize(std::max(i + 1, program_.symbols.size()), none);
   const auto scope = static_cast<std::uint32_t>(scopes_.size());
   if (const Binding* first = find(symbol); first && first->scope == scope && what != Binding::What::error && first->what != Binding::What::error) {
-    if (Diagnostic* d = report_.error("E0202", span)) {
+    // Functions and nouns are known before the lines of their block are read, so the first may stand behind.
+    const bool is_before = first->span.file == span.file && span.begin < first->span.begin;
+    const Span one = is_before ? span : first->span;
+    if (Diagnostic* d = report_.error("E0202", is_before ? first->span : span)) {
       d->message = fmt::format("`{}` is bound twice in one block", name(symbol));
       d->label = "names never change: choose another one";
-      d->notes.push_back({first->span, fmt::format("first bound here, on line {}", line(first->span))});
+      d->notes.push_back({one, fmt::format("first bound here, on line {}", line(one))});
     }
   }
   Binding& binding = bindings_.emplace_back();

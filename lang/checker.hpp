@@ -183,8 +183,4 @@ private:
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
 };
 
-/// What another language calls something, and what it is here; empty where the word is not known.
-std::string dialect_name(std::string_view name);
-std::string dialect_property(std::string_view property, const Noun* noun);
-
 } // namespace rt::lang

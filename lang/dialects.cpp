@@ -1,4 +1,4 @@
-#include "lang/checker.hpp"
+#include "lang/dialects.hpp"
 
 #include <fmt/format.h>
 

@@ -48,6 +48,20 @@ Evaluated Evaluator::run(const ObserverMaker* observe) {
   return {std::move(scene_), steps_, std::move(outcome_)};
 }
 
+namespace {
+
+/// Where the value of an item that binds a name is kept.
+std::optional<std::uint32_t> bound_slot(const Ast& ast, NodeId item) {
+  switch (ast.kind(item)) {
+  case Kind::bind: return ast.slot(ast.bind_item(item).name);
+  case Kind::use: return ast.slot(ast.use_item(item).name);
+  case Kind::param: return ast.slot(ast.param_item(item).name);
+  default: return std::nullopt;
+  }
+}
+
+} // namespace
+
 void Evaluator::run_program() {
   library_ = make_frame(heap_, {}, program_.library_frame_size);
   suspects_.push_back(library_);
@@ -59,7 +73,33 @@ void Evaluator::run_program() {
   target.objects = &scene_.objects;
   target.lights = &scene_.lights;
   target.properties = &scene_properties_;
-  items(program_.main->ast.root, {program_.main, main_.get()}, target);
+  file_items(program_.main->ast.root, {program_.main, main_.get()}, target);
+}
+
+/// Tells whether it came to its end. Inside a call it is the outermost call that is given up.
+template <class F>
+bool Evaluator::ends_in_time(F&& run) {
+  const bool is_in_call = calls_ != nullptr;
+  const int unsure = unsure_;
+  try {
+    run();
+    return true;
+  } catch (const TooDeep&) {
+    if (is_in_call) throw;
+    recursion_ = 0;
+    calls_ = nullptr;
+    unsure_ = unsure;
+    return false;
+  }
+}
+
+// An item that goes too deep leaves the others to be looked at, so that all mistakes of a file are told.
+void Evaluator::file_items(NodeId root, const Context& context, Target& target) {
+  const NodeList children = context.ast().children(root);
+  for (const NodeId child : children) {
+    if (ends_in_time([&] { item(child, context, target); })) continue;
+    if (const auto slot = bound_slot(context.ast(), child)) (*context.frame)[*slot] = Value::poison();
+  }
 }
 
 void Evaluator::run_library() {
@@ -87,7 +127,7 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
   Target target;
   target.kind = Target::Kind::discarded;
   target.properties = &properties;
-  items(info->unit->ast.root, {info->unit, frame.get()}, target);
+  file_items(info->unit->ast.root, {info->unit, frame.get()}, target);
   Value module = Ref<Module>(heap_.make<Module>(0, *info, frame));
   modules_.emplace_back(info, module);
   return module;
@@ -173,7 +213,8 @@ void Evaluator::finish_scene() {
 // What no line calls is run once with values that are not known, so that mistakes in it are found now and not later.
 void Evaluator::try_unused_functions() {
   ++unsure_;
-  for (std::size_t i = 0; i < program_.functions.size(); ++i) try_function(program_.functions[i]);
+  for (std::size_t i = 0; i < program_.functions.size(); ++i)
+    ends_in_time([&] { try_function(program_.functions[i]); });
   --unsure_;
 }
 

@@ -27,7 +27,7 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
   case Kind::use:
   case Kind::param: return declaration(node, context);
   case Kind::include:
-    if (Unit* included = context.unit->included(node)) items(included->ast.root, {included, context.frame}, target);
+    if (Unit* included = context.unit->included(node)) file_items(included->ast.root, {included, context.frame}, target);
     return;
   case Kind::expect:
     if (make_observer_ && unsure_ == 0 && target.kind == Target::Kind::scene)

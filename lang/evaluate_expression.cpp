@@ -4,6 +4,7 @@
 #include "lang/properties.hpp"
 #include "lang/suggest.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -117,7 +118,7 @@ Value Evaluator::record_value(NodeId node, const Context& context) {
   for (const NodeId item : ast.children(node)) {
     if (ast.kind(item) != Kind::property) return Value::poison();
     const Named field = ast.named(item);
-    entries.push_back({field.symbol, expression(field.value, context), ast.span(field.value)});
+    entries.push_back({field.symbol, expression(field.value, context), ast.span(field.value), ast.named_span(item, program_.symbols)});
   }
   Value record = make_record(heap_, std::move(entries));
   check_depth(depth_of(record), ast.span(node));
@@ -185,8 +186,9 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
   const std::string_view word = name(symbol);
   const Span place = ast.member_span(node, program_.symbols);
   const auto unknown = [&](std::string message, std::span<const std::string_view> names) {
-    const auto guess = nearest(word, names);
-    return fail("E0212", place, std::move(message), guess ? fmt::format("did you mean `{}`?", *guess) : "");
+    if (const auto guess = nearest(word, names)) return fail("E0212", place, std::move(message), fmt::format("did you mean `{}`?", *guess));
+    const bool is_function = std::ranges::any_of(all_builtins(), [&](const Builtin* builtin) { return builtin->name == word; });
+    return fail("E0212", place, std::move(message), is_function ? fmt::format("a function stands in front: `{}(…)`", word) : "");
   };
   switch (base.kind()) {
   case ValueKind::record: {
@@ -214,7 +216,7 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
     if (word == "b") return base.color().b;
     return unknown(fmt::format("a colour has no part `{}`", word), {});
   case ValueKind::thing: return thing_member(base.thing(), node, context);
-  default: return fail("E0212", place, fmt::format("{} has no part `{}`", describe(base), word));
+  default: return unknown(fmt::format("{} has no part `{}`", describe(base), word), {});
   }
 }
 

@@ -97,6 +97,8 @@ private:
 
   /// Ends the evaluation: a limit is passed, and reported.
   struct Ended {};
+  /// Ends the evaluation of one item of a file: calls or things are nested too deep. The other items are not concerned.
+  struct TooDeep : Ended {};
   struct Call {
     const FunctionInfo* function;
     Span place;
@@ -125,6 +127,8 @@ private:
   void check_depth(std::uint16_t depth, Span place);
   void enter_call(Span place);
   [[noreturn]] void end(std::string_view code, std::string message, std::string label, Span place);
+  [[noreturn]] void give_up(std::string_view code, std::string message, std::string label, Span place);
+  template <class F> bool ends_in_time(F&& run);
 
   // Messages
   Diagnostic* error(std::string_view code, Span place);
@@ -173,6 +177,7 @@ private:
 
   // Blocks and things (evaluate_block.cpp)
   void items(NodeId block, const Context& context, Target& target);
+  void file_items(NodeId root, const Context& context, Target& target);
   void item(NodeId node, const Context& context, Target& target);
   void repeat(NodeId node, const Context& context, Target& target);
   void for_item(NodeId node, const Context& context, Target& target);
@@ -192,6 +197,7 @@ private:
   Value changed_thing(Value base, NodeId node, const Context& context);
   Value changed_record(const Record& base, NodeId node, const Context& context);
   Value as_material(const Record& record, Span place);
+  void fail_unknown_material_property(const Record::Entry& entry);
   Ref<Thing> new_thing(const Noun& noun, Span place);
   Ref<Thing> copy_of(const Thing& thing);
   static void give_name(Thing& thing, Symbol symbol);

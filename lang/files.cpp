@@ -110,6 +110,9 @@ std::string Files::display_name(const fs::path& path) const {
 Unit* Files::read(const fs::path& path, Span place) {
   std::string text;
   try {
+    std::error_code error;
+    // To open a pipe would wait for whoever writes to it.
+    if (fs::is_fifo(path, error)) throw std::system_error(EINVAL, std::generic_category(), path.string());
     text = read_file(path);
   } catch (const std::system_error& failure) {
     if (Diagnostic* d = report_.error("E0601", place)) {

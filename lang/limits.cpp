@@ -20,6 +20,11 @@ void Evaluator::end(std::string_view code, std::string message, std::string labe
   throw Ended{};
 }
 
+void Evaluator::give_up(std::string_view code, std::string message, std::string label, Span place) {
+  fail(code, place, std::move(message), std::move(label));
+  throw TooDeep{};
+}
+
 void Evaluator::look_at_limits(Span place) {
   if (steps_ > limits_.steps)
     end("E0501", fmt::format("this scene takes more than {} steps", limits_.steps), "here it was stopped; `--max-steps` allows more", place);
@@ -48,15 +53,15 @@ void Evaluator::count_objects(std::size_t count, Span place) {
 
 void Evaluator::check_depth(std::uint16_t depth, Span place) {
   if (depth <= most_depth) return;
-  end("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped", place);
+  give_up("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped", place);
 }
 
 void Evaluator::enter_call(Span place) {
   spend(1, place);
   const char here = 0;
   if (++recursion_ > limits_.recursion)
-    end("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion), "does this call itself without end?", place);
-  if (&here < stack_limit_) end("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", recursion_), "here it was stopped", place);
+    give_up("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion), "does this call itself without end?", place);
+  if (&here < stack_limit_) give_up("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", recursion_), "here it was stopped", place);
 }
 
 Diagnostic* Evaluator::error(std::string_view code, Span place) {

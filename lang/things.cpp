@@ -1,3 +1,4 @@
+#include "lang/dialects.hpp"
 #include "lang/evaluator.hpp"
 #include "lang/evaluator_loops.hpp"
 #include "lang/hashing.hpp"
@@ -150,12 +151,23 @@ Value Evaluator::changed_record(const Record& base, NodeId node, const Context& 
     if (ast.kind(item) == Kind::error) return Value::poison();
     if (ast.kind(item) != Kind::property) return fail("E0405", ast.span(item), "a record holds fields, and nothing else");
     const Named field = ast.named(item);
-    Record::Entry entry{field.symbol, expression(field.value, context), ast.span(field.value)};
+    Record::Entry entry{field.symbol, expression(field.value, context), ast.span(field.value), ast.named_span(item, program_.symbols)};
     const auto old = std::ranges::find(entries, field.symbol, &Record::Entry::name);
     if (old == entries.end()) entries.push_back(std::move(entry));
     else *old = std::move(entry);
   }
   return make_record(heap_, std::move(entries));
+}
+
+void Evaluator::fail_unknown_material_property(const Record::Entry& entry) {
+  const Noun& noun = program_.nouns.material();
+  const std::string_view word = name(entry.name);
+  std::vector<std::string_view> names;
+  for (const Property& property : noun.properties) names.push_back(property.name);
+  std::string label = dialect_property(word, &noun);
+  if (const auto guess = nearest(word, names); guess && label.empty()) label = fmt::format("did you mean `{}`?", *guess);
+  fail("E0204", entry.name_span, fmt::format("`material` has no property `{}`", word), std::move(label),
+       fmt::format("`material` takes {}", fmt::join(names, ", ")));
 }
 
 Value Evaluator::as_material(const Record& record, Span place) {
@@ -165,10 +177,7 @@ Value Evaluator::as_material(const Record& record, Span place) {
   for (const Record::Entry& entry : record.entries) {
     const auto id = noun.find(entry.name);
     if (!id) {
-      std::vector<std::string_view> names;
-      for (const Property& property : noun.properties) names.push_back(property.name);
-      const auto guess = nearest(name(entry.name), names);
-      fail("E0204", entry.span, fmt::format("`material` has no property `{}`", name(entry.name)), guess ? fmt::format("did you mean `{}`?", *guess) : "");
+      fail_unknown_material_property(entry);
       is_fine = false;
       continue;
     }

@@ -147,7 +147,8 @@ struct Record : Cell {
   struct Entry {
     Symbol name;
     Value value;
-    Span span; ///< of the value, for messages
+    Span span;      ///< of the value, for messages
+    Span name_span; ///< of the name
   };
   std::vector<Entry> entries; ///< in the order written
   const Value* find(Symbol name) const;

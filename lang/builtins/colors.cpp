@@ -3,13 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rt::lang::builtins {
 namespace {
 
 Color from_srgb(double r, double g, double b) { return {srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b)}; }
 
-Value srgb_color(BuiltinCall& c) { return from_srgb(c.number(0), c.number(1), c.number(2)); }
+Value srgb_color(BuiltinCall& c) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = c.number(i);
+    if (x >= 0 && x <= 1) continue;
+    const bool is_byte = x > 1 && x <= 255 && x == std::floor(x);
+    return c.fail(i, "rgb takes numbers from 0 to 1",
+                  is_byte ? fmt::format("write `{:.0f} / 255`, or the whole colour as `#rrggbb`", x)
+                  : x > 1 ? "light that is brighter than white is `linear_rgb(r, g, b)`"
+                          : "this is " + describe(c[i]));
+  }
+  return from_srgb(c.number(0), c.number(1), c.number(2));
+}
 Value linear_color(BuiltinCall& c) { return Color{c.number(0), c.number(1), c.number(2)}; }
 
 // Each channel is a trapezoid over the hue, a third of the circle apart: A. R. Smith, Color Gamut Transform Pairs, 1978.

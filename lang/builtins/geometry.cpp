@@ -56,7 +56,7 @@ Value plane_through(BuiltinCall& c) {
   const Vec3 n = cross(c.vector(1) - c.vector(0), c.vector(2) - c.vector(0));
   if (length(n) == 0) return c.fail(2, "three points on one line lie in many planes", "");
   const Vec3 unit = normalize(n);
-  return make_record(c.heap(), {{c.symbols().find("normal"), unit, {}}, {c.symbols().find("offset"), dot(unit, c.vector(0)), {}}});
+  return make_record(c.heap(), {{c.symbols().find("normal"), unit, {}, {}}, {c.symbols().find("offset"), dot(unit, c.vector(0)), {}, {}}});
 }
 
 Value distance_to_plane(BuiltinCall& c) {

@@ -112,6 +112,21 @@ TEST_CASE("ranges: as many elements as the formula says, in spite of rounding") 
   CHECK(number("len(range(5)) + len(range(2, 5)) + len(range(0, 1, 0.25))") == 12);
 }
 
+TEST_CASE("builtins: a function written like a method is told where it stands here") {
+  const Loaded loaded = load("a = [1, 2, 3].map(fn(x) => x)\nb = \"abc\".len\nsphere {}");
+  REQUIRE(errors(loaded) == std::vector<std::string>{"E0212", "E0212"});
+  CHECK(loaded.diagnostics[0].label == "a function stands in front: `map(…)`");
+  CHECK(loaded.diagnostics[1].label == "a function stands in front: `len(…)`");
+}
+
+TEST_CASE("colours: what another language writes with 255 is a mistake, not a very bright light") {
+  const Loaded loaded = load("sphere { material: rgb(255, 128, 0) }\nlight { color: rgb(1.5, 1, 1) }\nlight { color: rgb(0, -1, 0) }");
+  CHECK(errors(loaded) == std::vector<std::string>{"E0310", "E0310", "E0310"});
+  CHECK(loaded.diagnostics[0].label == "write `255 / 255`, or the whole colour as `#rrggbb`");
+  CHECK(loaded.diagnostics[1].label == "light that is brighter than white is `linear_rgb(r, g, b)`");
+  CHECK(errors("light { color: linear_rgb(255, 2, 0) }").empty());
+}
+
 TEST_CASE("colours: sRGB in, linear light inside") {
   // IEC 61966-2-1: ((0.5 + 0.055) / 1.055)^2.4 = 0.21404114048223255
   CHECK(number("rgb(0.5, 0, 1).r") == Approx(0.21404114048223255).epsilon(1e-14));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace rt;
@@ -92,6 +93,12 @@ TEST_CASE("files: cycles are told") {
   folder.write("u.rtl", "use \"v.rtl\" as v\n");
   folder.write("v.rtl", "use \"u.rtl\" as u\n");
   CHECK(errors(load_file(folder.write("main.rtl", "use \"u.rtl\" as u\nsphere {}\n"), {})) == Codes{"E0602"});
+}
+
+TEST_CASE("files: an included pipe is refused, not waited for") {
+  const Folder folder;
+  REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
+  CHECK(errors(load_file(folder.write("main.rtl", "include \"pipe\"\n"), {})) == Codes{"E0601"});
 }
 
 TEST_CASE("files: nothing outside of the scene's folder is read, not even through a link") {

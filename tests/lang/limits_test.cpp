@@ -33,6 +33,12 @@ TEST_CASE("limits: endless recursion of defs, of functions through builtins, and
   CHECK(errors("fn f(x) = g(x)\nfn g(x) = f(x)\nsphere { radius: f(1) }") == Codes{"E0502"});
 }
 
+TEST_CASE("limits: what calls itself without end leaves the rest of the file to be looked at") {
+  CHECK(errors("fn f(x) = f(x)\na = f(1)\nb = a + 1\nsphere { radius: f(2) }\nbox { size: b }\nfor i in 5 { box {} }\nsphere { at: [1, 2] }") ==
+        Codes{"E0502", "E0307", "E0301"}); // one for each place, and nothing about what would have been the value
+  CHECK(errors("def a() { group { a {} } }\nif true { a {} }\nbox { size: -1 }") == Codes{"E0502", "E0302"});
+}
+
 TEST_CASE("limits: the call stack is told, and its middle left out") {
   const Loaded loaded = load("fn f(n) = f(n + 1)\nsphere { radius: f(0) }");
   const Diagnostic* d = find(loaded, "E0502");

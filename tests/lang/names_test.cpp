@@ -32,6 +32,15 @@ TEST_CASE("names: binding one twice names the first line; inner blocks may bind 
   CHECK(errors("fn f(x, x) = x\nsphere {}") == Codes{"E0202"});
 }
 
+TEST_CASE("names: of a name that is bound before the function of the same name, the function is one too many") {
+  const Loaded loaded = load("a = 1\ndef a() { sphere {} }\na {}");
+  const Diagnostic* d = find(loaded, "E0202");
+  REQUIRE(d);
+  CHECK(d->span.begin == 10);
+  REQUIRE(d->notes.size() == 1);
+  CHECK(d->notes[0].message == "first bound here, on line 1");
+}
+
 TEST_CASE("names: functions call each other before they are written") {
   const std::string functions = "fn is_even(n) = if n == 0 { true } else { is_odd(n - 1) }\n"
                                 "fn is_odd(n) = if n == 0 { false } else { is_even(n - 1) }";

@@ -245,6 +245,15 @@ TEST_CASE("materials: colours, patterns and records serve as materials") {
   CHECK(changed.materials[0].reflect == black);
 }
 
+TEST_CASE("materials: a record's misspelt property is told where its name stands, with what others call it") {
+  const Loaded loaded = load("sphere { material: { shinyness: 3, colour: red } }");
+  REQUIRE(errors(loaded) == std::vector<std::string>{"E0204", "E0204"});
+  CHECK(loaded.diagnostics[0].span.begin == 21);
+  CHECK(loaded.diagnostics[0].span.end == 30);
+  CHECK(loaded.diagnostics[0].label == "did you mean `shininess`?");
+  CHECK(loaded.diagnostics[1].label == "write `color`");
+}
+
 TEST_CASE("materials: the library holds what the reference says") {
   const scene::Scene scene = scene_of("for m in [glass, water, diamond, mirror, gold, silver, copper, chrome, rubber, matte] { sphere { material: m } }\nsphere { material: glass { color: red } }");
   CHECK(scene.materials.size() == 11);

@@ -347,6 +347,15 @@ TEST_CASE("program: Ctrl-C stops within a second and leaves nothing") {
     CHECK(run.exit_code == 130);
     CHECK(run.since_signal < std::chrono::seconds(1));
     CHECK(desk.image("a.png").width == 800);
+    CHECK_THAT(run.errors, StartsWith("a.png: 800×600, stopped before it was whole, "));
+  }
+  SECTION("while the tree of a large scene is built") {
+    desk.folder.write("scene.rtl", "for i in 0..<1e6 { sphere { at: [random(i), random(i, 1), random(i, 2)] * 100, radius: 0.1 } }\n");
+    desk.options.signal_after = "there is no light"; // said when it is loaded
+    const Outcome run = desk.run({"scene.rtl", "-o", "a.png"});
+    CHECK(run.exit_code == 130);
+    CHECK(run.since_signal < std::chrono::seconds(1));
+    CHECK(desk.folder.names() == Names{"scene.rtl"});
   }
   SECTION("while loading") {
     desk.folder.write("scene.rtl", "x = sum([i * j for i in 0..100000 for j in 0..100000])\nsphere { at: [x, 0, 0] }\n");

@@ -3,6 +3,7 @@
 #include "tools/rtlang/exit_code.hpp"
 
 #include <csignal>
+#include <cstdlib>
 
 namespace rt::tools {
 namespace {
@@ -10,9 +11,11 @@ namespace {
 // A signal handler reaches nothing but what is global.
 std::atomic<bool> stop{false};
 std::atomic<int> signal_number{0};
+std::atomic<bool> ends_at_once{false};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void on_signal(int number) {
+  if (ends_at_once) std::_Exit(exit_signal_base + number);
   signal_number = number;
   stop = true;
 }
@@ -38,6 +41,15 @@ const std::atomic<bool>& stop_flag() { return stop; }
 void set_stop(bool is_wanted) noexcept { stop = is_wanted; }
 
 int stop_signal() { return signal_number; }
+
+EndsAtOnce::EndsAtOnce() {
+  ends_at_once = true;
+  if (!stop) return;
+  ends_at_once = false;
+  throw Interrupted{};
+}
+
+EndsAtOnce::~EndsAtOnce() { ends_at_once = false; }
 
 void throw_if_stopped() {
   if (stop) throw Interrupted{};

@@ -16,6 +16,16 @@ int stop_signal();
 /// For a session, which listens by itself and outlives what it is asked to stop. May be called in a signal handler.
 void set_stop(bool is_wanted) noexcept;
 
+/// While one of these lives, the first signal ends the program at once: for work that cannot be asked to stop, and would
+/// leave nothing half done behind. Throws Interrupted if a signal came before. Not for what a session listens to.
+class EndsAtOnce {
+public:
+  EndsAtOnce();
+  ~EndsAtOnce();
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
+
 /// Throws Interrupted if a signal has asked the program to stop.
 void throw_if_stopped();
 

@@ -122,6 +122,8 @@ int run_for_session(std::vector<std::string> arguments) {
   } catch (const std::bad_alloc&) {
     print_error("rtlang: there is not enough memory\n");
   } catch (const std::system_error& error) {
+    // A file that is a pipe was waited for.
+    if (error.code() == std::errc::interrupted && stop_signal() != 0) return exit_signal_base + stop_signal();
     // Whoever read our output has enough: `rtlang ast scene.rtl | head`.
     if (error.code() == std::errc::broken_pipe) return exit_broken_pipe;
     print_error(fmt::format("rtlang: {}\n", error.what()));

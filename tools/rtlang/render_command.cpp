@@ -1,6 +1,7 @@
 #include "renderer/image/file.hpp"
 #include "renderer/image/image.hpp"
 #include "renderer/render.hpp"
+#include "renderer/traceable.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/console.hpp"
 #include "tools/rtlang/exit_code.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -104,7 +106,16 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
   ProgressBar bar;
   if (error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
     options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-  return rt::render(scene, options);
+  const Clock::time_point build_start = Clock::now();
+  const auto traceable = [&] {
+    const EndsAtOnce building;
+    return std::make_unique<const Traceable>(scene, options.threads);
+  }();
+  const double build_seconds = seconds_since(build_start);
+  Rendered rendered = rt::render(*traceable, {scene.camera, scene.size, scene.samples}, options);
+  rendered.statistics.primitives = scene::count_primitives(scene);
+  rendered.statistics.build_seconds = build_seconds;
+  return rendered;
 }
 
 int run_render(const RenderArguments& arguments) {

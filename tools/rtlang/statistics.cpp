@@ -45,7 +45,8 @@ std::uint64_t count_rays(const RenderStatistics& s) {
 }
 
 std::string summary(const RunStatistics& s) {
-  return fmt::format("{}: {}×{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width, s.height,
+  return fmt::format("{}: {}×{}{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width, s.height,
+                     s.is_complete ? "" : ", stopped before it was whole",
                      counted(s.render.primitives, "primitive"),
                      human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
                      human(rays_per_second(s.render)), seconds(s.total_seconds));
@@ -58,7 +59,7 @@ std::string table(const RunStatistics& s) {
   std::string text;
   const auto row = [&](std::string_view name, const std::string& value) { text += fmt::format("{:<12}{}\n", name, value); };
   row("scene", fmt::format("{} (hash {}), {}", s.scene, s.scene_hash, counted(r.primitives, "primitive")));
-  row("picture", fmt::format("{}×{}, {} a pixel: {}", s.width, s.height, counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
+  row("picture", fmt::format("{}×{}{}, {} a pixel: {}", s.width, s.height, s.is_complete ? "" : " (stopped before it was whole)", counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
   row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
                           count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
   row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)), counted(static_cast<std::uint64_t>(r.threads), "thread")));

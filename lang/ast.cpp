@@ -1,5 +1,7 @@
 #include "lang/ast.hpp"
 
+#include <algorithm>
+
 #include <bit>
 
 namespace rt::lang {
@@ -64,6 +66,17 @@ void Ast::set_number(NodeId id, double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   (*this)[id].a = static_cast<std::uint32_t>(bits);
   (*this)[id].b = static_cast<std::uint32_t>(bits >> 32);
+}
+
+// Not from the model itself, which has the place of the item it became.
+Span Ast::model_span(const Repeat& repeat) const {
+  const Node& first = nodes[static_cast<std::uint32_t>(repeat.model_first)];
+  Span span{file, first.begin, first.end};
+  for (auto n = static_cast<std::uint32_t>(repeat.model_first); n < static_cast<std::uint32_t>(repeat.model); ++n) {
+    span.begin = std::min(span.begin, nodes[n].begin);
+    span.end = std::max(span.end, nodes[n].end);
+  }
+  return span;
 }
 
 void Ast::become(const Repeat& repeat, std::uint32_t i) {

@@ -183,6 +183,11 @@ public:
   /// Turns the model of a repeat into its i-th item: the number literals and the item's own span change, the spans inside
   /// stay the model's. Idempotent, and any order will do.
   void become(const Repeat& repeat, std::uint32_t i);
+  /// Where the model's own words stand.
+  Span model_span(const Repeat& repeat) const;
+  Span item_span(const Repeat& repeat, std::uint32_t i) const {
+    return {file, repeat_spans[repeat.first_span + i].begin, repeat_spans[repeat.first_span + i].end};
+  }
 };
 
 /// How a claim is written: "hits"; empty for one without a word.

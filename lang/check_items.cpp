@@ -158,10 +158,24 @@ void Checker::check_item(Unit& unit, NodeId item) {
   case Kind::bind: return check_bind(unit, item);
   case Kind::property: return check_property(unit, item);
   case Kind::expect: return check_expect(unit, item);
-  case Kind::repeat:
-    if (ast.repeat(item).is_first) check_item(unit, ast.repeat(item).model); // the others are like it
-    return;
+  case Kind::repeat: return check_repeat(unit, ast.repeat(item));
   default: check_expression(unit, item);
+  }
+}
+
+// What is known of the model is known of all; what is wrong with it is told for each.
+void Checker::check_repeat(Unit& unit, const Repeat& repeat) {
+  const std::pair<const Unit*, NodeId> model{&unit, repeat.model};
+  if (repeat.is_first) {
+    const std::size_t before = report_.error_count();
+    check_item(unit, repeat.model);
+    if (report_.error_count() != before) wrong_models_.push_back(model);
+  }
+  if (std::ranges::find(wrong_models_, model) == wrong_models_.end()) return;
+  StandIn stand_in(report_, program_.sources, unit.ast.model_span(repeat));
+  for (std::uint32_t i = 0; i < repeat.count && !report_.is_full(); ++i) {
+    stand_in.stand_for(unit.ast.item_span(repeat, i));
+    check_item(unit, repeat.model);
   }
 }
 

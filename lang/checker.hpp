@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rt::lang {
@@ -120,6 +121,7 @@ private:
   void check_block(Unit& unit, NodeId block, const Owner& owner);
   void check_function_body(Unit& unit, NodeId node);
   void check_include(Unit& unit, NodeId item);
+  void check_repeat(Unit& unit, const Repeat& repeat);
   void check_use(Unit& unit, NodeId item);
   const ModuleInfo* load_module(Unit& unit, NodeId item);
   void check_param(Unit& unit, NodeId item);
@@ -178,6 +180,7 @@ private:
   bool is_in_lambda_ = false;            // which is the right side of that `=`
   bool is_in_expect_ = false;            // where the questions are known
   bool is_main_ = false;
+  std::vector<std::pair<const Unit*, NodeId>> wrong_models_; // of repeats
   bool is_define_ = false;
   TopItem* top_item_ = nullptr;          // in a session: the statement being read
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t tab_width = 4;
 constexpr std::size_t widest_line = 100; // what does not fit is clipped around the carets
+constexpr std::size_t most_before = 1'000; // characters of a line that are looked at before the carets, and twice that many after
 
 // A message may quote the scene: what would steer the terminal is shown as a replacement character.
 std::string harmless(std::string_view text) {
@@ -39,10 +40,10 @@ struct Cell {
   std::size_t width;
 };
 
-std::vector<Cell> cells(std::string_view line) {
+std::vector<Cell> cells(std::string_view line, std::size_t most) {
   std::vector<Cell> out;
   std::size_t column = 0;
-  while (!line.empty()) {
+  while (!line.empty() && out.size() < most) {
     const Character c = decode(line);
     Cell cell{"", column, 1};
     if (c.code_point == U'\t') {
@@ -63,7 +64,12 @@ std::vector<Cell> cells(std::string_view line) {
 
 // `begin` and `end` count characters of the line.
 Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
-  const std::vector<Cell> all = cells(line);
+  // A line may be a whole file long, of which a stretch about the carets is shown.
+  const std::size_t skipped = begin > most_before ? begin - most_before : 0;
+  for (std::size_t i = 0; i < skipped && !line.empty(); ++i) line.remove_prefix(decode(line).bytes);
+  begin -= skipped;
+  end -= skipped;
+  const std::vector<Cell> all = cells(line, 3 * most_before);
   const auto column = [&](std::size_t i) {
     return i < all.size() ? all[i].column : all.empty() ? 0 : all.back().column + all.back().width;
   };

@@ -81,7 +81,7 @@ Diagnostic* Evaluator::error(std::string_view code, Span place) {
     }
     const FunctionInfo& function = *calls[i]->function;
     const std::string what = function.name == no_symbol ? "a function" : fmt::format("`{}`", name(function.name));
-    d->call_stack.push_back({calls[i]->place, fmt::format("in {}, {} here", what, function.kind == Kind::def ? "made" : "called")});
+    d->call_stack.push_back({report_.place(calls[i]->place), fmt::format("in {}, {} here", what, function.kind == Kind::def ? "made" : "called")});
   }
   return d;
 }

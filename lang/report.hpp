@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/diagnostic.hpp"
+#include "lang/source.hpp"
 
 #include <cstddef>
 #include <set>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace rt::lang {
+
+class StandIn;
 
 /// Collects what check and evaluation have to say: each mistake once for each place, however often a loop comes by.
 class Report {
@@ -23,15 +26,49 @@ public:
   void take(std::vector<Diagnostic> diagnostics);
 
   bool has_errors() const { return errors_ > 0; }
+  /// Also those that were not listed.
+  std::size_t error_count() const { return errors_; }
   bool is_full() const { return diagnostics_.size() >= most; }
+  /// Where something is that is known by its place in a model: see StandIn.
+  Span place(Span span) const;
   /// All of them, in the order of their places in each file.
   std::vector<Diagnostic> finish();
 
 private:
+  friend class StandIn;
+
   std::vector<Diagnostic> diagnostics_;
   std::vector<Span> malformed_; // where the parser found errors
   std::set<std::tuple<FileId, std::uint32_t, std::uint32_t, std::string>> known_;
   std::size_t errors_ = 0;
+  bool is_cut_ = false; // there were more errors
+  const StandIn* stand_in_ = nullptr;
+};
+
+/// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a place
+/// in the model is said about the same words of the item.
+class StandIn {
+public:
+  StandIn(Report& report, const SourceMap& sources, Span model)
+      : report_(report), sources_(sources), model_(model), item_(model), outer_(report.stand_in_) {
+    report_.stand_in_ = this;
+  }
+  ~StandIn() { report_.stand_in_ = outer_; }
+  StandIn(const StandIn&) = delete;
+  StandIn& operator=(const StandIn&) = delete;
+
+  /// From now on it stands in for this one.
+  void stand_for(Span item) { item_ = item; }
+
+private:
+  friend class Report;
+
+  Span place(Span span) const;
+
+  Report& report_;
+  const SourceMap& sources_;
+  Span model_, item_;
+  const StandIn* outer_;
 };
 
 } // namespace rt::lang

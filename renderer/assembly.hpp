@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/leaves.hpp"
+#include "renderer/sphere_leaves.hpp"
 
 #include <array>
 #include <span>
@@ -28,6 +29,10 @@ public:
   template <class Leaves>
   const Leaves& all() const {
     return std::get<Leaves>(sets_);
+  }
+  template <class F>
+  void for_each(F&& f) {
+    std::apply([&](auto&... set) { (f(set), ...); }, sets_);
   }
   template <class F>
   void for_each(F&& f) const {

@@ -17,14 +17,4 @@ CameraRays::CameraRays(const scene::Camera& camera, scene::Resolution size)
   down_ = up * (-half_width * height_ / width_);
 }
 
-Ray CameraRays::ray(double x, double y) const {
-  const Vec3 across = right_ * (2 * x / width_ - 1) + down_ * (2 * y / height_ - 1);
-  if (is_orthographic_) return {origin_ + across, forward_};
-  return {origin_, normalize(forward_ + across)};
-}
-
-Ray CameraRays::ray(int pixel_x, int pixel_y, int sample, int n) const {
-  return ray(pixel_x + (sample % n + 0.5) / n, pixel_y + (sample / n + 0.5) / n);
-}
-
 } // namespace rt

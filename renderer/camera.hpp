@@ -13,10 +13,16 @@ public:
 
   /// The ray through a point of the picture in continuous pixel coordinates: (0, 0) is the top left corner, and the
   /// pixel (i, j) has its centre at (i + ½, j + ½). The direction is a unit vector.
-  Ray ray(double x, double y) const;
+  Ray ray(double x, double y) const {
+    const Vec3 across = right_ * (2 * x / width_ - 1) + down_ * (2 * y / height_ - 1);
+    if (is_orthographic_) return {origin_ + across, forward_};
+    return {origin_, normalize(forward_ + across)};
+  }
 
   /// The ray of one sample of a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
-  Ray ray(int pixel_x, int pixel_y, int sample, int n) const;
+  Ray ray(int pixel_x, int pixel_y, int sample, int n) const {
+    return ray(pixel_x + (sample % n + 0.5) / n, pixel_y + (sample / n + 0.5) / n);
+  }
 
   /// Whether all rays start at the same point.
   bool has_one_eye() const { return !is_orthographic_; }

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <span>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -200,7 +201,8 @@ private:
     Assembly& a = *assembly_;
     Box3 box;
     std::size_t count = 0;
-    a.bounded_.for_each([&](const auto& leaves) {
+    for (LeafSets* sets : {&a.bounded_, &a.unbounded_}) sets->for_each([](auto& leaves) { arrange(leaves); });
+    std::as_const(a.bounded_).for_each([&](const auto& leaves) {
       for (std::uint32_t i = 0; i < leaves.size(); ++i) box.extend(leaves.bounds(i));
       count += leaves.size();
     });
@@ -209,8 +211,13 @@ private:
     const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;
     if (count < least_for_tree && !has_large) return add_loose(a.bounded_);
     a.tree_ = accel::Tree(*compiled_.device_, box);
-    a.bounded_.for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
+    std::as_const(a.bounded_).for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
     a.tree_.build();
+  }
+
+  template <class Leaves>
+  static void arrange(Leaves& leaves) {
+    if constexpr (requires { leaves.arrange(); }) leaves.arrange();
   }
 
   void add_loose(const LeafSets& sets) {

@@ -86,11 +86,10 @@ double SolidLeaves::ior(std::uint32_t i, const Styles& styles, StyleId inherited
   return leaves_[i].solid->ior(styles, inherited);
 }
 
-LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit) const {
+void SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit, LeafSurface& s) const {
   const Leaf& leaf = leaves_[hit.index];
   const Ray ray = leaf.is_in_place ? outer : carried(leaf, outer);
   const StyleId own = tags_[hit.index].style_id();
-  LeafSurface s;
   s.point = leaf.solid->point(ray, hit);
   s.style = leaf.solid->operand(hit.operand).style;
   if (s.style != inherited_style) s.pattern_point = styles.pattern_point(s.style, s.point.position);
@@ -101,7 +100,6 @@ LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const R
   }
   s.solids = this;
   s.leaf_style = own;
-  return s;
 }
 
 Box3 InstanceLeaves::bounds(std::uint32_t i) const {
@@ -137,9 +135,8 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
   return leaf.assembly->blocks(inner);
 }
 
-LeafSurface InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&) const {
+void InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&, LeafSurface&) const {
   assert(false && "a hit is on a leaf of the instance's assembly");
-  return {};
 }
 
 } // namespace rt

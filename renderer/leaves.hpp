@@ -23,7 +23,8 @@ struct LeafTag {
 
 class SolidLeaves;
 
-/// The surface at a hit, in the space of the leaf's assembly.
+/// The surface at a hit, in the space of the leaf's assembly. It is filled in where it is to stay: copying it at once
+/// would wait for every one of its parts.
 struct LeafSurface {
   SurfacePoint point;
   StyleId style = inherited_style;                ///< of the surface
@@ -33,10 +34,11 @@ struct LeafSurface {
   const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
 };
 
-/// What can be asked of a leaf whose kind was forgotten on the way: one object for each type of set.
+/// What can be asked of a leaf whose kind was forgotten on the way: one object for each type of set. A leaf may hold
+/// several shapes; then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
 struct LeafKind {
   LeafTag (*tag)(const void* leaves, std::uint32_t index);
-  LeafSurface (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit);
+  void (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& result);
   void (*nearest)(const void* leaves, std::uint32_t index, NearestQuery& query);
   bool (*blocks)(const void* leaves, std::uint32_t index, ShadowQuery& query);
 };
@@ -44,8 +46,8 @@ struct LeafKind {
 template <class Leaves>
 inline constexpr LeafKind leaf_kind{
     [](const void* leaves, std::uint32_t index) { return static_cast<const Leaves*>(leaves)->tag(index); },
-    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit) {
-      return static_cast<const Leaves*>(leaves)->surface(styles, ray, hit);
+    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& result) {
+      static_cast<const Leaves*>(leaves)->surface(styles, ray, hit, result);
     },
     [](const void* leaves, std::uint32_t index, NearestQuery& query) {
       static_cast<const Leaves*>(leaves)->nearest(index, query);
@@ -86,15 +88,13 @@ public:
     return false;
   }
 
-  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
+  void surface(const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& s) const {
     const Placed& p = shapes_[hit.index];
     const StyleId style = tags_[hit.index].style_id();
-    LeafSurface s;
     s.point = p.point(ray, {hit.t, hit.shape_part});
     s.style = s.leaf_style = style;
     if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
     if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
-    return s;
   }
 
 private:
@@ -123,7 +123,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const;
+  void surface(const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& s) const;
 
   /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
   /// one. `inherited` is the style that its parts inherit: its own if it has one.
@@ -156,7 +156,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const; // never the leaf that is hit
+  void surface(const Styles&, const Ray&, const RayHit&, LeafSurface&) const; // never the leaf that is hit
 
 private:
   std::vector<Leaf> leaves_;

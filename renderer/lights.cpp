@@ -26,6 +26,8 @@ void place(Lamp& lamp, const scene::SpotLight& light, const Affine& to_world) {
   lamp.fade = light.fade;
 }
 
+} // namespace
+
 double fade_at(const scene::Fade& fade, double distance) {
   const double relative = distance / fade.distance;
   switch (fade.law) {
@@ -41,15 +43,12 @@ double fade_at(const scene::Fade& fade, double distance) {
   return 1;
 }
 
-// A smoothstep in the cosine of the angle off the axis.
 double spot_at(const Lamp& lamp, double cosine) {
   if (cosine >= lamp.cos_full) return 1;
   if (cosine <= lamp.cos_none) return 0;
   const double q = (cosine - lamp.cos_none) / (lamp.cos_full - lamp.cos_none);
   return (3 - 2 * q) * q * q;
 }
-
-} // namespace
 
 Lamp make_lamp(const scene::Light& light) {
   Lamp lamp;
@@ -61,16 +60,6 @@ Lamp make_lamp(const scene::Light& light) {
       },
       light.source);
   return lamp;
-}
-
-Incidence incidence(const Lamp& lamp, const Vec3& p) {
-  if (lamp.kind == Lamp::Kind::sun) return {-lamp.direction, std::numeric_limits<double>::infinity(), 1, 1, lamp.color};
-  const Vec3 way = lamp.at - p;
-  const double distance = length(way);
-  const Vec3 to_light = way / distance;
-  const double fade = fade_at(lamp.fade, distance);
-  const double spot = lamp.kind == Lamp::Kind::spot ? spot_at(lamp, -dot(to_light, lamp.direction)) : 1;
-  return {to_light, distance, fade, spot, lamp.color * (fade * spot)};
 }
 
 } // namespace rt

@@ -3,6 +3,7 @@
 #include "renderer/math/color.hpp"
 #include "renderer/scene/scene.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace rt {
@@ -31,7 +32,20 @@ struct Incidence {
 
 Lamp make_lamp(const scene::Light& light);
 
+/// What is left of light at a distance.
+double fade_at(const scene::Fade& fade, double distance);
+/// How much of a spot's light leaves it at this angle off its axis: a smoothstep in the cosine.
+double spot_at(const Lamp& lamp, double cosine);
+
 /// At `p`, which must not be where a point light or spot stands (then `distance` is 0 and the rest meaningless).
-Incidence incidence(const Lamp& lamp, const Vec3& p);
+inline Incidence incidence(const Lamp& lamp, const Vec3& p) {
+  if (lamp.kind == Lamp::Kind::sun) return {-lamp.direction, std::numeric_limits<double>::infinity(), 1, 1, lamp.color};
+  const Vec3 way = lamp.at - p;
+  const double distance = length(way);
+  const Vec3 to_light = way / distance;
+  const double fade = lamp.fade.law == scene::Fade::Law::none ? 1 : fade_at(lamp.fade, distance);
+  const double spot = lamp.kind == Lamp::Kind::spot ? spot_at(lamp, -dot(to_light, lamp.direction)) : 1;
+  return {to_light, distance, fade, spot, lamp.color * (fade * spot)};
+}
 
 } // namespace rt

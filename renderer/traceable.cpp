@@ -24,27 +24,25 @@ void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId
   r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, styles, style) : styles.ior(style);
 }
 
-Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
-  Resolved r;
-  r.leaf = hit.kind->surface(hit.leaves, styles, ray, hit);
+void resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit, Resolved& r) {
+  hit.kind->surface(hit.leaves, styles, ray, hit, r.leaf);
   r.order = hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot);
   settle_medium(r, styles, hit, r.leaf.leaf_style);
   if (r.leaf.smooth) {
     r.weights = barycentric(r.leaf.smooth->flat, r.leaf.point.position);
     r.normals = r.leaf.smooth->normals;
   }
-  return r;
 }
 
 // `first` is the order of the assembly's first leaf.
-Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit,
-                 std::uint64_t first) {
-  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit);
+void resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit, std::uint64_t first,
+             Resolved& r) {
+  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit, r);
   std::uint32_t slot = 0;
   const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
   const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
-  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order);
-  Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
+  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order, r);
+  resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order, r);
   r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
   const StyleId style = step.leaves->tag(step.index).style_id();
   if (r.leaf.style == inherited_style && style != inherited_style) {
@@ -54,7 +52,6 @@ Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray,
   settle_medium(r, styles, hit, style);
   if (r.leaf.smooth)
     for (Vec3& normal : r.normals) normal = instance.to_outer.normal(normal);
-  return r;
 }
 
 // Corner normals are carried to the scene and normalised before they are interpolated, as POV-Ray does.
@@ -67,6 +64,7 @@ Vec3 smooth_normal(const Resolved& r) {
 
 // What filters leave of light. They were found in no particular order, and products depend on it by their rounding.
 Color through(std::vector<Filter>& filters) {
+  if (filters.empty()) return white;
   std::sort(filters.begin(), filters.end(), [](const Filter& a, const Filter& b) {
     return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
   });
@@ -171,10 +169,10 @@ Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) 
   return left;
 }
 
-Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
+void Traceable::surface(const Ray& ray, const RayHit& hit, Surface& s) const {
   const Styles& styles = compiled_.styles();
-  const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
-  Surface s;
+  Resolved r;
+  resolve(compiled_.root(), styles, ray, hit, 0, r);
   s.point = r.leaf.point.position;
   s.geometric_normal = r.leaf.point.normal;
   s.shading_normal = r.leaf.smooth ? smooth_normal(r) : r.leaf.point.normal;
@@ -183,7 +181,6 @@ Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
   s.material = styles.material(r.leaf.style);
   s.pattern_point = r.leaf.pattern_point;
   s.ior = r.ior.value_or(1);
-  return s;
 }
 
 std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {

@@ -53,7 +53,12 @@ public:
   Color transmittance_by_steps(const Ray& ray, double end, double gap) const;
 
   /// What is to be known of a hit of `ray`.
-  Surface surface(const Ray& ray, const RayHit& hit) const;
+  Surface surface(const Ray& ray, const RayHit& hit) const {
+    Surface result;
+    surface(ray, hit, result);
+    return result;
+  }
+  void surface(const Ray& ray, const RayHit& hit, Surface& result) const;
   const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
     return compiled_.styles().values(surface.material, surface.pattern_point, scratch);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -108,7 +109,11 @@ RTCBounds Tree::to_single(const Box3& box) const {
           round_up(upper.x),   round_up(upper.y),   round_up(upper.z),   0};
 }
 
-bool Tree::enter(Query& query, RTCRay& ray) const {
+struct Tree::Entry {
+  float origin[3], direction[3], tfar;
+};
+
+inline bool Tree::enter(Query& query, Entry& entry) const {
   double start = 0;
   const bool starts_inside = query.interval.lower == 0 && bounds_.contains(query.ray.origin);
   if (!starts_inside && !meets(query, bounds_, start)) return false;
@@ -119,24 +124,32 @@ bool Tree::enter(Query& query, RTCRay& ray) const {
   query.start_ = start;
   query.scale_ = speed * scale_;
 
-  ray.org_x = static_cast<float>(origin.x);
-  ray.org_y = static_cast<float>(origin.y);
-  ray.org_z = static_cast<float>(origin.z);
-  ray.dir_x = static_cast<float>(direction.x);
-  ray.dir_y = static_cast<float>(direction.y);
-  ray.dir_z = static_cast<float>(direction.z);
-  ray.tnear = 0;
-  ray.tfar = single_t(query);
-  ray.time = 0;
-  ray.mask = ~0u;
-  ray.id = 0;
-  ray.flags = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    entry.origin[axis] = static_cast<float>(origin[axis]);
+    entry.direction[axis] = static_cast<float>(direction[axis]);
+  }
+  entry.tfar = single_t(query);
   return true;
 }
 
+// Embree reads four numbers at a time, soon after: that goes faster if they were written like that.
+inline void Tree::fill(const Entry& entry, RTCRay& ray) {
+  using Four = float __attribute__((vector_size(16)));
+  const Four origin{entry.origin[0], entry.origin[1], entry.origin[2], 0};
+  const Four direction{entry.direction[0], entry.direction[1], entry.direction[2], 0};
+  std::memcpy(&ray.org_x, &origin, sizeof origin);    // and tnear
+  std::memcpy(&ray.dir_x, &direction, sizeof origin); // and time
+  ray.tfar = entry.tfar;
+  ray.mask = ~0u;
+  ray.id = 0;
+  ray.flags = 0;
+}
+
 void Tree::nearest(Query& query) const {
+  Entry entry;
+  if (!enter(query, entry)) return;
   RTCRayHit hit;
-  if (!enter(query, hit.ray)) return;
+  fill(entry, hit.ray);
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   Query* const queries = &query;
@@ -145,8 +158,10 @@ void Tree::nearest(Query& query) const {
 }
 
 bool Tree::blocks(Query& query) const {
+  Entry entry;
+  if (!enter(query, entry)) return false;
   RTCRay ray;
-  if (!enter(query, ray)) return false;
+  fill(entry, ray);
   Query* const queries = &query;
   Context context(&queries);
   rtcOccluded1(scene_.get(), &context.embree, &ray);
@@ -157,18 +172,18 @@ bool Tree::blocks(Query& query) const {
 template <class Rays>
 void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const {
   for (std::size_t i = 0; i < packet_size; ++i) {
-    RTCRay ray{};
-    are_valid[i] = i < queries.size() && enter(*queries[i], ray) ? -1 : 0;
-    rays.org_x[i] = ray.org_x;
-    rays.org_y[i] = ray.org_y;
-    rays.org_z[i] = ray.org_z;
-    rays.tnear[i] = ray.tnear;
-    rays.dir_x[i] = ray.dir_x;
-    rays.dir_y[i] = ray.dir_y;
-    rays.dir_z[i] = ray.dir_z;
-    rays.tfar[i] = ray.tfar;
-    rays.time[i] = ray.time;
-    rays.mask[i] = ray.mask;
+    Entry entry{};
+    are_valid[i] = i < queries.size() && enter(*queries[i], entry) ? -1 : 0;
+    rays.org_x[i] = entry.origin[0];
+    rays.org_y[i] = entry.origin[1];
+    rays.org_z[i] = entry.origin[2];
+    rays.tnear[i] = 0;
+    rays.dir_x[i] = entry.direction[0];
+    rays.dir_y[i] = entry.direction[1];
+    rays.dir_z[i] = entry.direction[2];
+    rays.tfar[i] = entry.tfar;
+    rays.time[i] = 0;
+    rays.mask[i] = ~0u;
     rays.id[i] = static_cast<unsigned>(i);
     rays.flags[i] = 0;
   }

@@ -11,18 +11,6 @@ InteriorLists::List InteriorLists::make(const std::vector<Interior>& interiors) 
   return list;
 }
 
-std::uint32_t InteriorLists::find(List list, std::uint64_t id) const {
-  const auto found = std::find_if(begin(list), end(list), [id](const Interior& i) { return i.id == id; });
-  return static_cast<std::uint32_t>(found - begin(list));
-}
-
-Passage InteriorLists::passage(List list, const Interior& it) const {
-  const std::uint32_t i = find(list, it.id);
-  if (i == list.size) return {Passage::Kind::entering, top_ior(list), it.ior};
-  if (i + 1 == list.size) return {Passage::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
-  return {Passage::Kind::leaving_outer, top_ior(list), top_ior(list)};
-}
-
 InteriorLists::List InteriorLists::after(List list, const Interior& it, std::uint32_t owned_from) {
   const std::uint32_t gone = find(list, it.id);
   if (gone + 1 == list.size) return {list.begin, gone};

@@ -39,7 +39,12 @@ public:
 
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.
-  Passage passage(List list, const Interior& it) const;
+  Passage passage(List list, const Interior& it) const {
+    const std::uint32_t i = find(list, it.id);
+    if (i == list.size) return {Passage::Kind::entering, top_ior(list), it.ior};
+    if (i + 1 == list.size) return {Passage::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
+    return {Passage::Kind::leaving_outer, top_ior(list), top_ior(list)};
+  }
   /// The list behind that surface. A list that begins at `owned_from` or later is changed where it is, and so is
   /// whatever was made after it; others are copied if need be.
   List after(List list, const Interior& it, std::uint32_t owned_from);
@@ -49,7 +54,12 @@ public:
   double fresnel_eta(List list, const Interior& it) const;
 
 private:
-  std::uint32_t find(List list, std::uint64_t id) const; // list.size where it is not
+  // Its place; list.size where it is not.
+  std::uint32_t find(List list, std::uint64_t id) const {
+    std::uint32_t i = 0;
+    while (i < list.size && storage_[list.begin + i].id != id) ++i;
+    return i;
+  }
 
   std::vector<Interior> storage_;
 };

@@ -1,7 +1,5 @@
 #include "renderer/shapes/flat.hpp"
 
-#include "renderer/math/rounding.hpp"
-
 namespace rt {
 namespace {
 
@@ -50,11 +48,6 @@ bool intersect_face(std::span<const Vec3> outline, const Vec3& normal, const Ray
       along_largest(ray.direction, [&]<std::size_t Axis>() { return encloses_origin<Axis>(outline, ray); });
   if (is_inside) hit = {t, 0};
   return is_inside;
-}
-
-SurfacePoint flat_point(const Vec3& anchor, const Vec3& normal, double extent, const Ray& ray, const Hit& hit) {
-  const Vec3 from_anchor = reject(relative_point(ray, hit, anchor), normal);
-  return {anchor + from_anchor, normal, rounding_bound(32) * (magnitude(anchor) + extent)};
 }
 
 } // namespace rt

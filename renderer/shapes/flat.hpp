@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/shapes/hit.hpp"
 
 #include <span>
@@ -45,6 +46,9 @@ decltype(auto) along_largest(const Vec3& direction, F&& f) {
 bool intersect_face(std::span<const Vec3> outline, const Vec3& normal, const Ray& ray, const Interval& range, Hit& hit);
 
 /// A point of the plane through `anchor`; `extent` is the face's size.
-SurfacePoint flat_point(const Vec3& anchor, const Vec3& normal, double extent, const Ray& ray, const Hit& hit);
+inline SurfacePoint flat_point(const Vec3& anchor, const Vec3& normal, double extent, const Ray& ray, const Hit& hit) {
+  const Vec3 from_anchor = reject(relative_point(ray, hit, anchor), normal);
+  return {anchor + from_anchor, normal, rounding_bound(32) * (magnitude(anchor) + extent)};
+}
 
 } // namespace rt

@@ -1,7 +1,5 @@
 #include "renderer/shapes/sphere.hpp"
 
-#include "renderer/math/rounding.hpp"
-
 namespace rt::scene {
 
 std::span<const Field> fields(const Sphere*) {
@@ -34,12 +32,6 @@ Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
   const Vec3 reach = Vec3{length(map.row(0)), length(map.row(1)), length(map.row(2))} * sphere.radius;
   const Vec3 center = map.point(sphere.center);
   return {center - reach, center + reach};
-}
-
-SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit) {
-  const Vec3 normal = normalize(relative_point(ray, hit, sphere.center));
-  return {sphere.center + normal * sphere.radius, normal,
-          rounding_bound(32) * (magnitude(sphere.center) + sphere.radius)};
 }
 
 Crossings crossings(const SphereGeometry& sphere, const Ray& ray) {

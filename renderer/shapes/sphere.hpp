@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/scene/field.hpp"
 #include "renderer/shapes/hit.hpp"
 
@@ -28,7 +29,11 @@ SphereGeometry geometry(const scene::Sphere& sphere);
 std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map);
 Box3 bounds(const SphereGeometry& sphere, const Affine& map = {});
 
-SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit);
+inline SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit) {
+  const Vec3 normal = normalize(relative_point(ray, hit, sphere.center));
+  return {sphere.center + normal * sphere.radius, normal,
+          rounding_bound(32) * (magnitude(sphere.center) + sphere.radius)};
+}
 Crossings crossings(const SphereGeometry& sphere, const Ray& ray);
 bool contains(const SphereGeometry& sphere, const Vec3& point);
 constexpr bool is_solid(const SphereGeometry&) {

@@ -1,6 +1,5 @@
 #include "renderer/shapes/triangle.hpp"
 
-#include "renderer/math/rounding.hpp"
 #include "renderer/shapes/outline.hpp"
 
 #include <fmt/format.h>
@@ -45,11 +44,6 @@ std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const A
 
 Box3 bounds(const TriangleGeometry& triangle, const Affine& map) {
   return outline_bounds(triangle.points, map);
-}
-
-SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& ray, const Hit& hit) {
-  const Vec3 ab = triangle.points[1] - triangle.points[0], ac = triangle.points[2] - triangle.points[0];
-  return flat_point(triangle.points[0], normalize(cross(ab, ac)), magnitude(ab) + magnitude(ac), ray, hit);
 }
 
 Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point) {

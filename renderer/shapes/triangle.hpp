@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/math/rounding.hpp"
 #include "renderer/scene/field.hpp"
 #include "renderer/shapes/flat.hpp"
 
@@ -30,7 +31,10 @@ std::optional<TriangleGeometry> placed(const TriangleGeometry& triangle, const A
 Box3 bounds(const TriangleGeometry& triangle, const Affine& map = {});
 
 /// The normal is right-handed about the corners' order.
-SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& ray, const Hit& hit);
+inline SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& ray, const Hit& hit) {
+  const Vec3 ab = triangle.points[1] - triangle.points[0], ac = triangle.points[2] - triangle.points[0];
+  return flat_point(triangle.points[0], normalize(cross(ab, ac)), magnitude(ab) + magnitude(ac), ray, hit);
+}
 constexpr bool is_solid(const TriangleGeometry&) {
   return false;
 }

@@ -1,0 +1,79 @@
+#include "renderer/sphere_leaves.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace rt {
+namespace {
+
+// Orders the spheres so that each pack's are neighbours: the whole is cut in two across its longest side, the cut
+// falling between two packs, then each half, and so on.
+template <class Added>
+void group_neighbours(std::span<Added> spheres) {
+  while (spheres.size() > SpherePack::size) {
+    Vec3 lower = spheres.front().sphere.center, upper = lower;
+    for (const Added& a : spheres) lower = min(lower, a.sphere.center), upper = max(upper, a.sphere.center);
+    const Vec3 extent = upper - lower;
+    const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::size_t packs = (spheres.size() + SpherePack::size - 1) / SpherePack::size;
+    const std::size_t cut = packs / 2 * SpherePack::size;
+    std::nth_element(spheres.begin(), spheres.begin() + static_cast<std::ptrdiff_t>(cut), spheres.end(),
+                     [axis](const Added& a, const Added& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
+    group_neighbours(spheres.first(cut));
+    spheres = spheres.subspan(cut);
+  }
+}
+
+} // namespace
+
+void ShapeLeaves<InPlace<SphereGeometry>>::arrange() {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  group_neighbours(std::span(added_));
+  packs_.resize((added_.size() + SpherePack::size - 1) / SpherePack::size);
+  tags_.reserve(added_.size());
+  if (!packs_.empty()) packs_.back().radius.fill(nothing);
+  for (std::size_t i = 0; i < added_.size(); ++i) {
+    const SphereGeometry& sphere = added_[i].sphere;
+    SpherePack& pack = packs_[i / SpherePack::size];
+    const std::size_t lane = i % SpherePack::size;
+    pack.x[lane] = sphere.center.x;
+    pack.y[lane] = sphere.center.y;
+    pack.z[lane] = sphere.center.z;
+    pack.radius[lane] = sphere.radius;
+    tags_.push_back(added_[i].tag);
+  }
+  added_ = {};
+}
+
+Box3 ShapeLeaves<InPlace<SphereGeometry>>::bounds(std::uint32_t i) const {
+  Box3 box;
+  const auto rest = static_cast<std::uint32_t>(tags_.size()) - i * SpherePack::size;
+  for (std::uint32_t lane = 0; lane < std::min(rest, SpherePack::size); ++lane)
+    box.extend(rt::bounds(packs_[i].sphere(lane)));
+  return box;
+}
+
+void ShapeLeaves<InPlace<SphereGeometry>>::filter(const SphereGeometry& sphere, LeafTag tag, ShadowQuery& query) {
+  Hit hit;
+  std::uint32_t sequence = 0;
+  for (Interval rest = query.interval; intersect(sphere, query.ray, rest, hit); rest.lower = hit.t)
+    query.add_filter(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
+}
+
+bool ShapeLeaves<InPlace<SphereGeometry>>::inspect(std::uint32_t i, InspectQuery& query) const {
+  const auto count = static_cast<std::uint32_t>(tags_.size());
+  for (std::uint32_t index = i * SpherePack::size; index < std::min(count, (i + 1) * SpherePack::size); ++index) {
+    const SphereGeometry sphere = packs_[i].sphere(index % SpherePack::size);
+    Hit hit;
+    if (query.hits)
+      for (Interval rest = query.interval; intersect(sphere, query.ray, rest, hit); rest.lower = hit.t)
+        query.add_hit({hit.t, hit.part, 0, false, false}, index, leaf_kind<ShapeLeaves>, this);
+    const StyleId style = query.resolved(tags_[index].style_id());
+    if (query.around && !query.styles.is_opaque(style) && contains(sphere, query.ray.origin))
+      query.add_around(tags_[index].slot, query.styles.ior(style));
+  }
+  return false;
+}
+
+} // namespace rt

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace rt {
@@ -38,7 +39,10 @@ struct PovrayTolerances {
 };
 
 /// Whitted's recursive ray tracing (An Improved Illumination Model for Shaded Display, 1980), in the form that the
-/// language's reference gives under "Shading". One object traces one ray at a time; each thread has its own.
+/// language's reference gives under "Shading". One object traces for one thread.
+///
+/// Rays that run close together are traced in groups: all find what they hit, then all look for the lamps, then all are
+/// mirrored, and so on, as long as they stay together. What one of them sees does not depend on its company.
 template <class Tolerances = OwnTolerances, class Recorder = NoRecorder>
 class Whitted {
 public:
@@ -47,19 +51,22 @@ public:
 
   /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
   Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
-    interiors_.release(0);
-    return trace(RayKind::camera, ray, 0, white, interiors_.make(inside));
+    std::array<Path, 1> path;
+    start(path[0], ray, inside, 0);
+    trace<1>(path, 0);
+    return path[0].sum;
   }
 
   /// The same for rays that run close together, `accel::packet_size` at most: sooner, with the same results. Recorders
-  /// hear of it as if one ray came after the other.
+  /// hear of it as of one ray after the other.
   void radiance(std::span<const Ray> rays, const std::vector<Interior>& inside, std::span<Color> results) {
-    std::array<RayHit, accel::packet_size> hits;
-    scene_.nearest(rays, {Tolerances::nearest, Tolerances::farthest}, hits, scratch_);
-    meet_all(rays, hits);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      interiors_.release(0);
-      results[i] = trace(RayKind::camera, rays[i], 0, white, interiors_.make(inside), &first_[i]);
+    if constexpr (is_recorded) {
+      for (std::size_t i = 0; i < rays.size(); ++i) results[i] = radiance(rays[i], inside);
+    } else {
+      std::array<Path, group_size> paths;
+      for (std::size_t i = 0; i < rays.size(); ++i) start(paths[i], rays[i], inside, i);
+      trace<group_size>(std::span(paths).first(rays.size()), 0);
+      for (std::size_t i = 0; i < rays.size(); ++i) results[i] = paths[i].sum;
     }
   }
 
@@ -77,99 +84,201 @@ public:
 private:
   using List = InteriorLists::List;
 
-  // How a lamp's light comes to a surface.
-  struct Arrival {
-    Incidence incidence;
-    double cos_light = 0;
-    Color filter = white;
-    bool is_facing() const { return cos_light > 0 && incidence.color != black; }
-  };
+  static constexpr bool is_recorded = !std::is_same_v<Recorder, NoRecorder>;
+  static constexpr std::size_t group_size = accel::packet_size;
+  // Fewer rays go one by one, and so do those that are deeper: a group's levels take room on the stack.
+  static constexpr std::size_t least_group = 4;
+  static constexpr int deepest_group = 8;
+  // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
+  static constexpr int max_crossings = 1 << 20;
 
-  // What a ray finds first, where that is known beforehand.
-  struct First {
-    RayHit hit;
-    Surface surface;
-    Vec3 normal;
-    std::vector<Arrival> arrivals; // one for each lamp
+  // A ray on its way, and what it has gathered.
+  struct Path {
+    RayKind kind = RayKind::camera;
+    Ray ray;
+    Color weight = white; // for the recorder
+    List inside;          // where the ray is
+    InteriorLists* interiors = nullptr;
+    std::uint32_t owned_from = 0; // lists from there on are this ray's own
+    Color sum = black,
+          passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
   };
 
   // One ray has met one surface.
   struct Meeting {
+    Path* path;
+    double t;
     Surface surface;
-    const Arrival* arrivals = nullptr; // where they are known beforehand
     const MaterialValues* values;
-    Vec3 direction;           // of the ray
-    Vec3 normal;              // to the viewer
-    double cosine;            // between the two, positive
-    List inside;              // where the ray is
-    std::uint32_t owned_from; // lists from there on are this ray's own
-    int depth;
-    Color weight; // of the ray, for the recorder
+    Vec3 normal;   // to the viewer
+    double cosine; // between the ray and the normal, positive
+    Color body;    // the share of the colour that is not transparent
+    Color light;   // that leaves the surface towards the viewer by itself
   };
 
-  // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
-  static constexpr int max_crossings = 1 << 20;
+  // How a lamp's light comes to a surface.
+  struct Arrival {
+    Incidence incidence{};
+    double cos_light = 0;
+    Color filter;
+    bool is_facing() const { return cos_light > 0 && incidence.color != black; }
+  };
 
-  Color trace(RayKind kind, Ray ray, int depth, const Color& weight, List inside, const First* first = nullptr) {
-    recorder_.begin_ray(kind, ray, depth, weight);
-    const std::uint32_t mark = interiors_.mark();
-    const Color result = depth > scene_.max_depth() ? too_deep() : follow(ray, depth, weight, inside, first);
-    interiors_.release(mark);
-    recorder_.end_ray(result);
-    return result;
+  // Where the ray goes from there.
+  struct Ways {
+    Color rho = black, tau = black;
+    Interior interior;
+    Passage passage;
+    double eta = 1, cos_behind = 1;
+    bool is_total = false, is_transparent = false, is_bent = false;
+  };
+
+  // Those that go the same way from a group's surfaces. `from` is where each left the group.
+  template <std::size_t Size>
+  struct Branch {
+    std::array<Path, Size> paths;
+    std::array<std::size_t, Size> from;
+    std::size_t count = 0;
+  };
+
+  void start(Path& path, const Ray& ray, const std::vector<Interior>& inside, std::size_t place) {
+    path.ray = ray;
+    path.interiors = &interiors_[place];
+    path.interiors->release(0);
+    path.inside = path.interiors->make(inside);
   }
 
-  Color too_deep() {
-    recorder_.too_deep();
-    return black;
-  }
-
-  Color follow(Ray ray, int depth, const Color& ray_weight, List inside, const First* first) {
-    const std::uint32_t owned_from = interiors_.mark();
-    Color sum = black,
-          passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
-    for (int crossings = 0; crossings < max_crossings; ++crossings, first = nullptr) {
-      const RayHit hit = first ? first->hit : scene_.nearest(ray, {Tolerances::nearest, Tolerances::farthest}, scratch_);
-      if (!hit) {
-        recorder_.miss(scene_.background());
-        return sum + passed * scene_.background();
-      }
-      Meeting m;
-      m.surface = first ? first->surface : scene_.surface(ray, hit);
-      m.normal = first ? first->normal : towards_viewer(m.surface, ray);
-      if (first) m.arrivals = first->arrivals.data();
-      MaterialValues scratch;
-      m.values = &scene_.values(m.surface, scratch);
-      m.direction = ray.direction;
-      m.cosine = -dot(m.normal, ray.direction);
-      m.inside = inside;
-      m.owned_from = owned_from;
-      m.depth = depth;
-      m.weight = ray_weight * passed;
-      recorder_.surface(hit, m.surface, *m.values, m.normal);
-
-      sum += passed * shade(m);
-      if (!continue_ray(m, sum, passed, ray, inside)) return sum;
+  // Gathers what comes in along the paths, which are of one depth.
+  template <std::size_t Size>
+  void trace(std::span<Path> paths, int depth) {
+    for (Path& path : paths) {
+      recorder_.begin_ray(path.kind, path.ray, depth, path.weight);
+      path.owned_from = path.interiors->mark();
     }
-    return sum;
+    if (depth > scene_.max_depth())
+      for (std::size_t i = 0; i < paths.size(); ++i) recorder_.too_deep();
+    else
+      follow<Size>(paths, depth);
+    for (Path& path : paths) {
+      path.interiors->release(path.owned_from);
+      recorder_.end_ray(path.sum);
+    }
   }
 
-  // Its own light, and what the lamps give.
-  Color shade(const Meeting& m) {
-    const MaterialValues& v = *m.values;
-    const Color body = v.color * (1 - v.refract);
-    const Color ambient = body * v.ambient * scene_.ambient(), emission = body * v.emission;
-    recorder_.own_light(ambient, emission);
-    Color sum = ambient + emission;
-    const std::vector<Lamp>& lamps = scene_.lamps();
-    for (std::uint32_t i = 0; i < lamps.size(); ++i) sum += light(m, body, i);
-    return sum;
+  template <std::size_t Size>
+  void follow(std::span<Path> paths, int depth) {
+    std::array<Path*, Size> going; // at first all, then those that cross surfaces unbent
+    std::size_t count = paths.size();
+    for (std::size_t i = 0; i < count; ++i) going[i] = &paths[i];
+    for (int crossings = 0; count > 0 && crossings < max_crossings; ++crossings) {
+      std::array<Meeting, Size> storage;
+      const std::span<Meeting> meetings = std::span(storage).first(meet<Size>(std::span(going).first(count), storage));
+      const bool is_together = stays_together(meetings);
+      shade<Size>(meetings, is_together);
+      count = go_on<Size>(meetings, is_together, depth, going);
+    }
   }
 
-  Color light(const Meeting& m, const Color& body, std::uint32_t index) {
+  // Finds what the paths meet; those that meet nothing see the background. How many meetings there are.
+  template <std::size_t Size>
+  std::size_t meet(std::span<Path* const> paths, std::array<Meeting, Size>& meetings) {
+    constexpr Interval range{Tolerances::nearest, Tolerances::farthest};
+    std::array<RayHit, Size> hits;
+    if (Size == 1 || paths.size() < least_group) {
+      for (std::size_t i = 0; i < paths.size(); ++i) hits[i] = scene_.nearest(paths[i]->ray, range, scratch_[0]);
+    } else {
+      std::array<Ray, Size> rays;
+      for (std::size_t i = 0; i < paths.size(); ++i) rays[i] = paths[i]->ray;
+      scene_.nearest(std::span(rays).first(paths.size()), range, hits, scratch_[0]);
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      Path& path = *paths[i];
+      if (!hits[i]) {
+        recorder_.miss(scene_.background());
+        path.sum += path.passed * scene_.background();
+        continue;
+      }
+      Meeting& m = meetings[count];
+      m.path = &path;
+      m.t = hits[i].t;
+      scene_.surface(path.ray, hits[i], m.surface);
+      m.normal =
+          dot(m.surface.shading_normal, path.ray.direction) > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
+      m.values = &scene_.values(m.surface, values_[count]);
+      m.cosine = -dot(m.normal, path.ray.direction);
+      recorder_.surface(hits[i], m.surface, *m.values, m.normal);
+      ++count;
+    }
+    return count;
+  }
+
+  // Whether the rays of a group are still close to one another where they meet surfaces. It decides about speed alone.
+  static bool stays_together(std::span<const Meeting> meetings) {
+    if (meetings.size() < least_group) return false;
+    double least = meetings[0].t, most = least;
+    for (const Meeting& m : meetings.subspan(1)) least = std::min(least, m.t), most = std::max(most, m.t);
+    return most - least < least * 0.05;
+  }
+
+  // The surfaces' own light, and what the lamps give.
+  template <std::size_t Size>
+  void shade(std::span<Meeting> meetings, bool is_together) {
+    for (Meeting& m : meetings) {
+      const MaterialValues& v = *m.values;
+      m.body = v.color * (1 - v.refract);
+      const Color ambient = m.body * v.ambient * scene_.ambient(), emission = m.body * v.emission;
+      recorder_.own_light(ambient, emission);
+      m.light = ambient + emission;
+    }
+    for (std::uint32_t index = 0; index < scene_.lamps().size(); ++index) {
+      const Lamp& lamp = scene_.lamps()[index];
+      std::array<Arrival, Size> arrivals;
+      for (std::size_t i = 0; i < meetings.size(); ++i) approach(lamp, meetings[i], arrivals[i]);
+      if (lamp.shadows) cast_shadows<Size>(meetings, arrivals, is_together);
+      for (std::size_t i = 0; i < meetings.size(); ++i) meetings[i].light += light(meetings[i], arrivals[i], index);
+    }
+    for (const Meeting& m : meetings) m.path->sum += m.path->passed * m.light;
+  }
+
+  // Before shadows.
+  static void approach(const Lamp& lamp, const Meeting& m, Arrival& arrival) {
+    arrival.incidence = incidence(lamp, m.surface.point);
+    arrival.cos_light = dot(m.normal, arrival.incidence.to_light);
+    arrival.filter = white;
+  }
+
+  template <std::size_t Size>
+  void cast_shadows(std::span<const Meeting> meetings, std::span<Arrival> arrivals, bool is_together) {
+    std::array<Arrival*, Size> facing;
+    std::array<Ray, Size> rays;
+    std::array<Interval, Size> ranges;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < meetings.size(); ++i) {
+      if (!arrivals[i].is_facing()) continue;
+      facing[count] = &arrivals[i];
+      rays[count] = shadow_ray(meetings[i].surface, arrivals[i].incidence);
+      ranges[count] = shadow_range(arrivals[i].incidence);
+      ++count;
+    }
+    counts_.shadow += count;
+    if (Size > 1 && Tolerances::moves_origins && is_together && count >= least_group) {
+      std::array<Color, Size> filters;
+      scene_.transmittance(std::span(rays).first(count), std::span(ranges).first(count), filters, scratch_);
+      for (std::size_t i = 0; i < count; ++i) facing[i]->filter = filters[i];
+    } else {
+      for (std::size_t i = 0; i < count; ++i) facing[i]->filter = transmittance(rays[i], ranges[i]);
+    }
+  }
+
+  Color transmittance(const Ray& ray, const Interval& range) {
+    if constexpr (Tolerances::moves_origins) return scene_.transmittance(ray, range, scratch_[0]);
+    return scene_.transmittance_by_steps(ray, range.upper, range.lower);
+  }
+
+  Color light(const Meeting& m, const Arrival& arrival, std::uint32_t index) {
     const Lamp& lamp = scene_.lamps()[index];
     const MaterialValues& v = *m.values;
-    const Arrival arrival = m.arrivals ? m.arrivals[index] : arrive(lamp, m.surface, m.normal);
     LightRecord record;
     record.lamp = index;
     record.incidence = arrival.incidence;
@@ -180,11 +289,12 @@ private:
       return black;
     }
     const Vec3& l = record.incidence.to_light;
+    const Vec3& direction = m.path->ray.direction;
     const Color arriving = record.incidence.color * record.filter;
-    record.diffuse = arriving * body * v.diffuse * record.cos_light;
+    record.diffuse = arriving * m.body * v.diffuse * record.cos_light;
     if (lamp.shadows && v.specular > 0) {
-      record.cos_highlight = v.highlight == scene::Highlight::blinn ? dot(m.normal, normalize(l - m.direction))
-                                                                    : dot(reflect(m.direction, m.normal), l);
+      record.cos_highlight = v.highlight == scene::Highlight::blinn ? dot(m.normal, normalize(l - direction))
+                                                                    : dot(reflect(direction, m.normal), l);
       if (record.cos_highlight > 0) {
         record.tint = metallic_tint(v.metallic, record.cos_light, v.color);
         record.highlight = arriving * record.tint * (v.specular * std::pow(record.cos_highlight, v.shininess));
@@ -194,117 +304,115 @@ private:
     return record.diffuse + record.highlight;
   }
 
-  // Before shadows.
-  static Arrival approach(const Lamp& lamp, const Surface& surface, const Vec3& normal) {
-    Arrival arrival;
-    arrival.incidence = incidence(lamp, surface.point);
-    arrival.cos_light = dot(normal, arrival.incidence.to_light);
-    return arrival;
-  }
-
-  Arrival arrive(const Lamp& lamp, const Surface& surface, const Vec3& normal) {
-    Arrival arrival = approach(lamp, surface, normal);
-    if (lamp.shadows && arrival.is_facing()) {
-      ++counts_.shadow;
-      const Ray ray = shadow_ray(surface, arrival.incidence);
-      const Interval range = shadow_range(arrival.incidence);
-      if constexpr (Tolerances::moves_origins)
-        arrival.filter = scene_.transmittance(ray, range, scratch_);
-      else
-        arrival.filter = scene_.transmittance_by_steps(ray, range.upper, range.lower);
+  // Adds what comes in by mirrored rays, and by refracted ones where they are bent. `going` becomes the paths that go
+  // on unbent, behind the surfaces; the result is their number.
+  template <std::size_t Size>
+  std::size_t go_on(std::span<const Meeting> meetings, bool is_together, int depth, std::array<Path*, Size>& going) {
+    std::array<Ways, Size> ways;
+    Branch<Size> mirrored;
+    for (std::size_t i = 0; i < meetings.size(); ++i) {
+      find_ways(meetings[i], ways[i]);
+      if (ways[i].rho != black) mirror(meetings[i], ways[i], i, mirrored);
     }
-    return arrival;
-  }
-
-  static Vec3 towards_viewer(const Surface& surface, const Ray& ray) {
-    return dot(surface.shading_normal, ray.direction) > 0 ? -surface.shading_normal : surface.shading_normal;
-  }
-
-  // Fills in `first_`: the surfaces at the hits, and how the lamps' light comes to them.
-  void meet_all(std::span<const Ray> rays, std::span<const RayHit> hits) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      First& first = first_[i];
-      first.hit = hits[i];
-      first.arrivals.clear();
-      if (!first.hit) continue;
-      first.surface = scene_.surface(rays[i], first.hit);
-      first.normal = towards_viewer(first.surface, rays[i]);
-      for (const Lamp& lamp : scene_.lamps()) first.arrivals.push_back(approach(lamp, first.surface, first.normal));
+    trace_branch(mirrored, is_together, depth + 1);
+    for (std::size_t j = 0; j < mirrored.count; ++j) {
+      const std::size_t i = mirrored.from[j];
+      meetings[i].path->sum += meetings[i].path->passed * ways[i].rho * mirrored.paths[j].sum;
     }
-    for (std::size_t lamp = 0; lamp < scene_.lamps().size(); ++lamp)
-      if (scene_.lamps()[lamp].shadows) cast_shadows(rays.size(), lamp);
-  }
 
-  // Of one lamp, on the first `count` of `first_`.
-  void cast_shadows(std::size_t count, std::size_t lamp) {
-    std::array<Arrival*, accel::packet_size> arrivals;
-    std::array<Ray, accel::packet_size> rays;
-    std::array<Interval, accel::packet_size> ranges;
-    std::array<Color, accel::packet_size> filters;
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!first_[i].hit || !first_[i].arrivals[lamp].is_facing()) continue;
-      arrivals[n] = &first_[i].arrivals[lamp];
-      rays[n] = shadow_ray(first_[i].surface, arrivals[n]->incidence);
-      ranges[n] = shadow_range(arrivals[n]->incidence);
-      ++n;
+    Branch<Size> refracted;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < meetings.size(); ++i)
+      if (ways[i].is_transparent && pass(meetings[i], ways[i], i, depth, refracted)) going[count++] = meetings[i].path;
+    trace_branch(refracted, is_together, depth + 1);
+    for (std::size_t j = 0; j < refracted.count; ++j) {
+      const std::size_t i = refracted.from[j];
+      meetings[i].path->sum += meetings[i].path->passed * ways[i].tau * refracted.paths[j].sum;
     }
-    counts_.shadow += n;
-    scene_.transmittance(std::span(rays).first(n), std::span(ranges).first(n), filters, packet_scratch_);
-    for (std::size_t i = 0; i < n; ++i) arrivals[i]->filter = filters[i];
+    return count;
   }
 
-  // Adds the mirrored ray, and the refracted one if it is bent. True if the ray goes on unbent: then `ray`, `inside`
-  // and `passed` are those behind the surface.
-  bool continue_ray(const Meeting& m, Color& sum, Color& passed, Ray& ray, List& inside) {
+  template <std::size_t Size>
+  void trace_branch(Branch<Size>& branch, bool is_together, int depth) {
+    const std::span<Path> paths = std::span(branch.paths).first(branch.count);
+    if (Size > 1 && is_together && paths.size() >= least_group && depth <= deepest_group && run_alike(paths))
+      return trace<Size>(paths, depth);
+    for (Path& path : paths) trace<1>(std::span(&path, 1), depth);
+  }
+
+  static bool run_alike(std::span<const Path> paths) {
+    for (const Path& path : paths.subspan(1))
+      if (dot(path.ray.direction, paths[0].ray.direction) < 0.9) return false;
+    return true;
+  }
+
+  void find_ways(const Meeting& m, Ways& w) {
     const MaterialValues& v = *m.values;
-    const bool is_transparent = v.refract > 0;
-    const Interior interior{m.surface.order, m.surface.ior};
-    Passage passage;
-    double eta = 1, cos2_behind = 1;
-    bool is_bent = false;
-    if (is_transparent) {
-      passage = interiors_.passage(m.inside, interior);
-      eta = ratio(passage, m.inside);
-      is_bent = std::abs(eta - 1) >= 1e-10;
-      if (is_bent) cos2_behind = cos2_refracted(m.cosine, eta);
+    w.is_transparent = v.refract > 0;
+    w.interior = {m.surface.order, m.surface.ior};
+    if (w.is_transparent) {
+      w.passage = m.path->interiors->passage(m.path->inside, w.interior);
+      w.eta = ratio(w.passage, m.path->inside);
+      w.is_bent = std::abs(w.eta - 1) >= 1e-10;
+      const double cos2_behind = w.is_bent ? cos2_refracted(m.cosine, w.eta) : 1;
       if (cos2_behind < 0) {
         // Total internal reflection takes the place of both branches.
-        ++counts_.reflected;
-        recorder_.total_reflection(passage, m.cosine);
-        sum += passed * branch(RayKind::total_reflection, m, reflect(m.direction, m.normal), white, m.inside);
-        return false;
+        w.rho = white;
+        w.is_total = true;
+        w.is_transparent = false;
+        return;
       }
+      w.cos_behind = std::sqrt(cos2_behind);
     }
-    Color rho = v.reflect;
-    if (rho != black) rho = mirror_weight(m, interior);
-    if (rho != black) {
-      ++counts_.reflected;
-      sum += passed * rho * branch(RayKind::reflected, m, reflect(m.direction, m.normal), rho, m.inside);
+    if (v.reflect != black) w.rho = mirror_weight(m, w.interior);
+    if (w.is_transparent) {
+      w.tau = v.color * v.refract;
+      if (v.fresnel) w.tau *= {std::min(1.0, 1 - w.rho.r), std::min(1.0, 1 - w.rho.g), std::min(1.0, 1 - w.rho.b)};
     }
-    if (!is_transparent) return false;
+  }
 
-    Color tau = v.color * v.refract;
-    if (v.fresnel) tau *= {std::min(1.0, 1 - rho.r), std::min(1.0, 1 - rho.g), std::min(1.0, 1 - rho.b)};
-    const double cos_behind = std::sqrt(cos2_behind);
-    recorder_.refraction(tau, passage, m.cosine, is_bent ? cos_behind : m.cosine);
-    if (tau == black) return false;
+  template <std::size_t Size>
+  void mirror(const Meeting& m, const Ways& w, std::size_t i, Branch<Size>& branch) {
+    ++counts_.reflected;
+    if (w.is_total) recorder_.total_reflection(w.passage, m.cosine);
+    add(branch, i, w.is_total ? RayKind::total_reflection : RayKind::reflected, m,
+        reflect(m.path->ray.direction, m.normal), w.rho, m.path->inside);
+  }
+
+  // True if the ray goes on unbent: then the path is the one behind the surface.
+  template <std::size_t Size>
+  bool pass(const Meeting& m, const Ways& w, std::size_t i, int depth, Branch<Size>& branch) {
+    recorder_.refraction(w.tau, w.passage, m.cosine, w.is_bent ? w.cos_behind : m.cosine);
+    if (w.tau == black) return false;
     ++counts_.refracted;
-    const List behind = interiors_.after(m.inside, interior, m.owned_from);
-    if (is_bent) {
-      const Vec3 direction = refract(m.direction, m.normal, eta, m.cosine, cos_behind);
-      sum += passed * tau * branch(RayKind::refracted, m, direction, tau, behind);
+    Path& path = *m.path;
+    const List behind = path.interiors->after(path.inside, w.interior, path.owned_from);
+    if (w.is_bent) {
+      add(branch, i, RayKind::refracted, m, refract(path.ray.direction, m.normal, w.eta, m.cosine, w.cos_behind), w.tau,
+          behind);
       return false;
     }
     // What goes on unbent is no deeper than before, but there must be one step to spare: so does POV-Ray count.
-    if (m.depth >= scene_.max_depth()) {
+    if (depth >= scene_.max_depth()) {
       recorder_.too_deep();
       return false;
     }
-    passed *= tau;
-    ray = leaving(m.surface, m.direction);
-    inside = behind;
+    path.passed *= w.tau;
+    path.ray = leaving(m.surface, path.ray.direction);
+    path.inside = behind;
     return true;
+  }
+
+  template <std::size_t Size>
+  static void add(Branch<Size>& branch, std::size_t i, RayKind kind, const Meeting& m, const Vec3& direction,
+                  const Color& weight, List inside) {
+    Path& path = branch.paths[branch.count];
+    path.kind = kind;
+    path.ray = leaving(m.surface, direction);
+    if constexpr (is_recorded) path.weight = m.path->weight * m.path->passed * weight;
+    path.inside = inside;
+    path.interiors = m.path->interiors;
+    branch.from[branch.count++] = i;
   }
 
   // POV-Ray divides the indices of two solids in 32 bits, and only with the void's in 64.
@@ -318,16 +426,12 @@ private:
     const MaterialValues& v = *m.values;
     double eta = 1, share = 1;
     if (v.fresnel) {
-      eta = interiors_.fresnel_eta(m.inside, interior);
+      eta = m.path->interiors->fresnel_eta(m.path->inside, interior);
       share = fresnel_reflectance(m.cosine, eta);
     }
     const Color rho = v.reflect * metallic_tint(v.metallic, m.cosine, v.color) * share;
     recorder_.reflection(rho, share, m.cosine, eta);
     return rho;
-  }
-
-  Color branch(RayKind kind, const Meeting& m, const Vec3& direction, const Color& weight, List inside) {
-    return trace(kind, leaving(m.surface, direction), m.depth + 1, m.weight * weight, inside);
   }
 
   // A ray that starts at a surface, on the side it goes to.
@@ -339,10 +443,9 @@ private:
 
   const Traceable& scene_;
   Recorder& recorder_;
-  InteriorLists interiors_;
-  TraceScratch scratch_;
-  std::array<TraceScratch, accel::packet_size> packet_scratch_;
-  std::array<First, accel::packet_size> first_; // of the packet under way
+  std::array<InteriorLists, group_size> interiors_; // by the place of the camera's ray in its group
+  std::array<TraceScratch, group_size> scratch_;
+  std::array<MaterialValues, group_size> values_; // where they are not constant; they serve until rays branch
   RayCounts counts_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace rt::tools::bench {
 namespace {
@@ -46,6 +47,15 @@ void attach(RTCScene scene, RTCGeometry geometry) {
   rtcReleaseGeometry(geometry);
 }
 
+// Embree has no planes: a square, far larger than the scene, in the place of one.
+void add_square(std::vector<TriangleShape>& triangles, const FloorShape& floor) {
+  constexpr double half = 1000;
+  const double y = floor.height;
+  const Vec3 a{-half, y, -half}, b{half, y, -half}, c{half, y, half}, d{-half, y, half};
+  triangles.push_back({{a, b, c}, floor.finish});
+  triangles.push_back({{a, c, d}, floor.finish});
+}
+
 Scene build(RTCDevice device, const Layout& layout) {
   Scene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
@@ -66,13 +76,15 @@ Scene build(RTCDevice device, const Layout& layout) {
     }
     attach(scene.get(), geometry);
   }
-  if (!layout.triangles.empty()) {
+  std::vector<TriangleShape> triangles = layout.triangles;
+  for (const FloorShape& s : layout.floors) add_square(triangles, s);
+  if (!triangles.empty()) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    float* out = new_vertices(geometry, RTC_FORMAT_FLOAT3, 3, layout.triangles.size() * 3);
-    unsigned* index = new_indices(geometry, RTC_FORMAT_UINT3, 3, layout.triangles.size());
-    for (const TriangleShape& s : layout.triangles)
+    float* out = new_vertices(geometry, RTC_FORMAT_FLOAT3, 3, triangles.size() * 3);
+    unsigned* index = new_indices(geometry, RTC_FORMAT_UINT3, 3, triangles.size());
+    for (const TriangleShape& s : triangles)
       for (const Vec3& p : s.points) out = put(out, p);
-    for (unsigned i = 0; i < 3 * layout.triangles.size(); ++i) index[i] = i;
+    for (unsigned i = 0; i < 3 * triangles.size(); ++i) index[i] = i;
     attach(scene.get(), geometry);
   }
   rtcCommitScene(scene.get());

@@ -41,6 +41,11 @@ scene::Scene describe(const Layout& layout) {
     object.material = scene::MaterialId{finish};
     scene.objects.push_back(object);
   };
+  for (const FloorShape& s : layout.floors) {
+    scene::Plane floor;
+    floor.y = s.height;
+    add(floor, s.finish);
+  }
   for (const BallShape& s : layout.balls) add(scene::Sphere{s.radius}, s.finish, s.center);
   for (const TubeShape& s : layout.tubes) {
     scene::Cylinder tube;

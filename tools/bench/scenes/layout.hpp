@@ -38,6 +38,12 @@ struct TriangleShape {
   std::uint32_t finish;
 };
 
+/// An endless horizontal plane.
+struct FloorShape {
+  double height;
+  std::uint32_t finish;
+};
+
 struct PointLamp {
   Vec3 at;
   Color color;
@@ -53,9 +59,9 @@ struct Layout {
   std::vector<BallShape> balls;
   std::vector<TubeShape> tubes;
   std::vector<TriangleShape> triangles;
-  std::string natural; ///< the shapes as a person would write them in our language, where that is shorter; else empty
+  std::vector<FloorShape> floors;
 
-  std::size_t primitive_count() const { return balls.size() + tubes.size() + triangles.size(); }
+  std::size_t primitive_count() const { return balls.size() + tubes.size() + triangles.size() + floors.size(); }
 };
 
 inline constexpr int picture_size = 1024;
@@ -69,9 +75,9 @@ inline constexpr std::array<std::string_view, 7> layout_names = {
 /// Throws std::invalid_argument for a name that is none of these.
 Layout make_layout(std::string_view name);
 
-enum class Format { rtl, rtl_natural, povray, tachyon };
+enum class Format { rtl, povray, tachyon };
 
-/// The scene as text; all formats say the same decimal numbers. `rtl_natural` falls back on `rtl`.
+/// The scene as text; all formats say the same decimal numbers.
 std::string write(const Layout& layout, Format format);
 
 } // namespace rt::tools::bench

@@ -43,14 +43,6 @@ std::vector<Finish> palette() {
   return finishes;
 }
 
-// A square, as two triangles.
-void add_floor(Layout& layout, double height, double half_side, std::uint32_t finish) {
-  const double h = half_side;
-  const Vec3 a{-h, height, -h}, b{h, height, -h}, c{h, height, h}, d{-h, height, h};
-  layout.triangles.push_back({{a, b, c}, finish});
-  layout.triangles.push_back({{a, c, d}, finish});
-}
-
 // Two unit vectors that are perpendicular to the unit vector n and to one another.
 std::array<Vec3, 2> across(const Vec3& n) {
   const Vec3 u = normalize(cross(std::abs(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, n));
@@ -77,7 +69,7 @@ Layout sphereflake(int depth) {
   layout.background = {0.08, 0.36, 0.72};
   layout.lamps = two_lamps(layout.eye, 20);
   layout.finishes = {{.color = {1, 0.75, 0.33}, .specular = 0}, {.color = {1, 0.9, 0.7}, .diffuse = 0.5, .reflect = 0.5}};
-  add_floor(layout, -1.1, 24, 0);
+  layout.floors = {{-1.1, 0}};
   add_flake(layout, {0, 0, 0}, 1, {0, 1, 0}, depth);
   return layout;
 }
@@ -110,7 +102,7 @@ Layout rings() {
   layout.lamps = two_lamps(layout.eye, 100);
   layout.finishes = palette();
   layout.finishes.push_back({.color = {0.8, 0.78, 0.7}, .specular = 0});
-  add_floor(layout, 0, 60, 8);
+  layout.floors = {{0, 8}};
   for (int layer = 0; layer < layers; ++layer) {
     const int rows = layers - layer;
     for (int row = 0; row < rows; ++row)

@@ -9,9 +9,9 @@
 int main(int argc, char** argv) {
   using namespace rt::tools::bench;
   const std::map<std::string_view, Format> formats = {
-      {"rtl", Format::rtl}, {"natural", Format::rtl_natural}, {"pov", Format::povray}, {"tachyon", Format::tachyon}};
+      {"rtl", Format::rtl}, {"pov", Format::povray}, {"tachyon", Format::tachyon}};
   if (argc != 3 || !formats.contains(argv[2])) {
-    std::cerr << "usage: bench_scenes SCENE rtl|natural|pov|tachyon\nscenes:";
+    std::cerr << "usage: bench_scenes SCENE rtl|pov|tachyon\nscenes:";
     for (const std::string_view name : layout_names) std::cerr << ' ' << name;
     std::cerr << '\n';
     return 2;

@@ -41,10 +41,10 @@ void rtl_header(std::string& out, const Layout& layout) {
   out += "\n";
 }
 
-std::string rtl(const Layout& layout, bool is_natural) {
+std::string rtl(const Layout& layout) {
   std::string out;
   rtl_header(out, layout);
-  if (is_natural && !layout.natural.empty()) return out + layout.natural;
+  for (const FloorShape& s : layout.floors) put(out, "plane {{ y: {:.6g}, material: m{} }}\n", s.height, s.finish);
   for (const BallShape& s : layout.balls)
     put(out, "sphere {{ at: {}, radius: {:.6g}, material: m{} }}\n", list(s.center), s.radius, s.finish);
   for (const TubeShape& s : layout.tubes)
@@ -85,6 +85,8 @@ std::string povray(const Layout& layout) {
     return layout.finishes[i].refract > 0 ? fmt::format("texture {{ m{0} }} interior {{ i{0} }}", i)
                                           : fmt::format("texture {{ m{} }}", i);
   };
+  for (const FloorShape& s : layout.floors)
+    put(out, "plane {{ <0,1,0>, {:.6g} {} }}\n", s.height, material(s.finish));
   for (const BallShape& s : layout.balls)
     put(out, "sphere {{ {}, {:.6g} {} }}\n", angle(s.center), s.radius, material(s.finish));
   for (const TubeShape& s : layout.tubes)
@@ -117,6 +119,8 @@ std::string tachyon(const Layout& layout) {
     if (f.specular > 0) put(out, "PHONG PLASTIC {} PHONG_SIZE {} ", f.specular, f.shininess);
     put(out, "COLOR {} TEXFUNC 0\n", rgb(f.color, " "));
   }
+  for (const FloorShape& s : layout.floors)
+    put(out, "PLANE CENTER 0 {:.6g} 0 NORMAL 0 1 0 m{}\n", s.height, s.finish);
   for (const BallShape& s : layout.balls)
     put(out, "SPHERE CENTER {} RAD {:.6g} m{}\n", mirrored(s.center), s.radius, s.finish);
   for (const TubeShape& s : layout.tubes)
@@ -131,8 +135,7 @@ std::string tachyon(const Layout& layout) {
 
 std::string write(const Layout& layout, Format format) {
   switch (format) {
-  case Format::rtl: return rtl(layout, false);
-  case Format::rtl_natural: return rtl(layout, true);
+  case Format::rtl: return rtl(layout);
   case Format::povray: return povray(layout);
   case Format::tachyon: return tachyon(layout);
   }

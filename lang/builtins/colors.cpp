@@ -18,7 +18,7 @@ Value srgb_color(BuiltinCall& c) {
     return c.fail(i, "rgb takes numbers from 0 to 1",
                   is_byte ? fmt::format("write `{:.0f} / 255`, or the whole colour as `#rrggbb`", x)
                   : x > 1 ? "light that is brighter than white is `linear_rgb(r, g, b)`"
-                          : "this is " + describe(c[i]));
+                          : fmt::format("this is {}", x));
   }
   return from_srgb(c.number(0), c.number(1), c.number(2));
 }

@@ -124,6 +124,7 @@ TEST_CASE("colours: what another language writes with 255 is a mistake, not a ve
   CHECK(errors(loaded) == std::vector<std::string>{"E0310", "E0310", "E0310"});
   CHECK(loaded.diagnostics[0].label == "write `255 / 255`, or the whole colour as `#rrggbb`");
   CHECK(loaded.diagnostics[1].label == "light that is brighter than white is `linear_rgb(r, g, b)`");
+  CHECK(loaded.diagnostics[2].label == "this is -1");
   CHECK(errors("light { color: linear_rgb(255, 2, 0) }").empty());
 }
 

@@ -164,6 +164,11 @@ Known Checker::check_call(Unit& unit, NodeId node) {
   if (callee.what == Known::What::function && callee.function) check_function_call(unit, node, *callee.function);
   else if (callee.what == Known::What::builtin) check_signature_call(unit, node, callee.builtin->name, callee.builtin->signature);
   else if (callee.is_thing() && callee.is_bare_noun) check_thing_call(unit, node, callee);
+  if (report_.wants_remarks()) {
+    const ChainMethod* method = ast.kind(call.callee) == Kind::member ? find_chain_method(name(ast.member(call.callee).symbol)) : nullptr;
+    if (method && callee.what != Known::What::function) check_angle_arguments(unit, node, method->signature, method->name == "rotate");
+    else if (callee.what == Known::What::builtin) check_angle_arguments(unit, node, callee.builtin->signature, false);
+  }
   // A chain method gives the thing it was called on, with one step more.
   if (ast.kind(call.callee) == Kind::member && callee.is_thing()) return callee;
   return {};
@@ -269,6 +274,7 @@ void Checker::check_signature_call(Unit& unit, NodeId node, std::string_view fun
 
 Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
   const Member member = unit.ast.member(node);
+  reads_part_ = !is_called && unit.ast.kind(member.base) == Kind::name;
   const Known base = check_expression(unit, member.base);
   const std::string_view word = name(member.symbol);
   const Span span = unit.ast.member_span(node, program_.symbols);

@@ -52,6 +52,7 @@ void Checker::check_define(Define& define) {
 void Checker::check_main() {
   is_main_ = true;
   Unit& unit = *program_.main;
+  is_library_ = program_.uses && places_nothing(unit);
   if (const std::string& path = program_.sources.file(unit.ast.file).path; !path.empty()) open_files_.push_back(path);
   declare_library();
   begin_activation();
@@ -116,6 +117,7 @@ void Checker::hoist_function(Unit& unit, NodeId item) {
   set_function_index(unit.ast[item], index);
   Binding* binding = declare(unit, function.name, Binding::What::function);
   binding->slot = index;
+  binding->use = info.use = declare_use(unit, function.name, info.kind == Kind::def ? NameUses::What::def : NameUses::What::fn);
   binding->known.function = &info;
   if (info.kind == Kind::fn) {
     binding->known.what = Known::What::function;
@@ -204,6 +206,7 @@ void Checker::check_use(Unit& unit, NodeId item) {
   const ModuleInfo* module = load_module(unit, item);
   Binding* binding = declare(unit, unit.ast.use_item(item).name, module ? Binding::What::module : Binding::What::error);
   if (!module) return;
+  binding->use = declare_use(unit, unit.ast.use_item(item).name, NameUses::What::module);
   unit.uses.emplace_back(item, module);
   binding->known.what = Known::What::module;
   binding->known.module = module;
@@ -244,14 +247,19 @@ void Checker::check_param(Unit& unit, NodeId item) {
   }
   const Symbol symbol = unit.ast.symbol(param.name);
   being_bound_ = symbol;
+  const std::uint32_t use = declare_use(unit, param.name, NameUses::What::param);
+  begin_use(use);
   check_expression(unit, param.value);
   if (param.range != no_node) check_expression(unit, param.range);
+  end_use(use);
   being_bound_ = no_symbol;
   if (is_main_) {
     for (Define& define : program_.defines) define.is_used |= define.name == symbol;
     program_.param_names.push_back(symbol);
   }
-  declare(unit, param.name, Binding::What::value);
+  Binding* binding = declare(unit, param.name, Binding::What::value);
+  binding->use = use;
+  if (use != NameUses::none) binding->pi_power = pi_power(unit, param.value);
 }
 
 void Checker::check_bind(Unit& unit, NodeId item) {
@@ -259,9 +267,16 @@ void Checker::check_bind(Unit& unit, NodeId item) {
   const Symbol outer = being_bound_;
   being_bound_ = unit.ast.symbol(bind.name);
   is_in_lambda_ = unit.ast.kind(bind.value) == Kind::lambda;
+  const std::uint32_t use = declare_use(unit, bind.name, NameUses::What::value);
+  begin_use(use);
   Known known = check_expression(unit, bind.value);
+  end_use(use);
+  settle_use(use, known);
   being_bound_ = outer;
+  const int factors = use == NameUses::none ? 0 : pi_power(unit, bind.value);
   Binding* binding = declare(unit, bind.name, Binding::What::value);
+  binding->use = use;
+  binding->pi_power = factors;
   known.is_bare_noun = false;
   binding->known = known;
   const Owner& owner = scopes_.back().owner;
@@ -271,6 +286,7 @@ void Checker::check_bind(Unit& unit, NodeId item) {
 
 void Checker::check_function_body(Unit& unit, NodeId node) {
   FunctionInfo& info = program_.functions[function_index(unit.ast[node])];
+  begin_use(info.use);
   begin_activation();
   open_scope(&unit, no_node, {});
   add_parameters(unit, info);
@@ -287,6 +303,7 @@ void Checker::check_function_body(Unit& unit, NodeId node) {
   }
   close_scope();
   info.frame_size = end_activation();
+  end_use(info.use);
 }
 
 void Checker::add_parameters(Unit& unit, FunctionInfo& info) {
@@ -298,7 +315,11 @@ void Checker::add_parameters(Unit& unit, FunctionInfo& info) {
       check_expression(unit, parameter.default_value);
       being_bound_ = no_symbol;
     }
-    parameter.slot = declare(unit, parameter.node, Binding::What::value)->slot;
+    const bool is_told = info.kind != Kind::lambda; // those of a `fn(…) => …` are often there for their place
+    const std::uint32_t use = is_told ? declare_use(unit, parameter.node, NameUses::What::parameter) : NameUses::none;
+    Binding* binding = declare(unit, parameter.node, Binding::What::value);
+    binding->use = use;
+    parameter.slot = binding->slot;
     if (info.kind == Kind::def && program_.nouns.group().find(parameter.name)) {
       if (Diagnostic* d = report_.error("E0211", span)) {
         d->message = fmt::format("a parameter of a `def` cannot be called `{}`", name(parameter.name));
@@ -311,12 +332,13 @@ void Checker::add_parameters(Unit& unit, FunctionInfo& info) {
 void Checker::check_for(Unit& unit, NodeId item) {
   const ForItem loop = unit.ast.for_item(item);
   check_expression(unit, loop.head);
+  const int factors = program_.uses ? pi_power(unit, loop.head) : 0;
   const bool has_frame = has_closure(unit, loop.body);
   if (has_frame) begin_activation();
   const Owner owner = scopes_.back().owner;
   open_scope(&unit, no_node, owner);
   if (loop.index_name != no_node) declare(unit, loop.index_name, Binding::What::value);
-  declare(unit, loop.value_name, Binding::What::value);
+  declare(unit, loop.value_name, Binding::What::value)->pi_power = factors;
   if (unit.ast.kind(loop.body) == Kind::block) check_block(unit, loop.body, owner);
   close_scope();
   if (has_frame) set_loop_frame(unit, item);

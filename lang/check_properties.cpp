@@ -27,6 +27,7 @@ void Checker::check_property_name(Unit& unit, NodeId item, const Owner& owner) {
   if (owner.def && !owner.is_def_body && owner.def->find(symbol)) return;
   if (const auto found = owner.noun->find(symbol)) {
     if (!owner.def) unit.ast[item].extra = static_cast<std::uint16_t>(*found + 1);
+    if (report_.wants_remarks()) check_angle_property(unit, item, owner.noun->properties[*found]);
     return;
   }
   report_unknown_property(unit, item, owner);

@@ -82,8 +82,13 @@ Checker::Binding* Checker::declare(Unit& unit, NodeId node, Binding::What what) 
 Known Checker::resolve(Unit& unit, NodeId node) {
   Binding* binding = find(unit.ast.symbol(node));
   if (top_item_) note_use(unit.ast.symbol(node), binding);
-  if (!binding) return resolve_global(unit, node);
+  if (!binding) {
+    reads_part_ = false;
+    return resolve_global(unit, node);
+  }
   ++binding->reads;
+  if (binding->use != NameUses::none) program_.uses->read(binding->use, reads_part_ && !is_in_expect_);
+  reads_part_ = false;
   const std::size_t depth = level() - binding->level;
   switch (binding->what) {
   case Binding::What::error: unit.ast.set_slot(node, 0, pack(Resolution::none, 0)); break;

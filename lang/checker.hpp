@@ -84,6 +84,8 @@ private:
     std::uint32_t shadowed = none;
     std::uint32_t reads = 0;
     Known known;
+    std::uint32_t use = NameUses::none; ///< its number there, for the lint
+    int pi_power = 0;                   ///< of its value, for the lint
     bool may_be_property = false; ///< bound with `=` in a block whose thing has a property of that name
   };
   struct Scope {
@@ -163,6 +165,18 @@ private:
   void report_duplicates(const Unit& unit, NodeId block, const Owner& owner);
   std::string list_properties(const Owner& owner) const;
 
+  // For the lint (check_lint.cpp)
+  bool is_exported(const Unit& unit) const;
+  bool places_nothing(const Unit& unit) const;
+  std::uint32_t declare_use(const Unit& unit, NodeId name_node, NameUses::What what);
+  void begin_use(std::uint32_t use);
+  void end_use(std::uint32_t use);
+  void settle_use(std::uint32_t use, const Known& known);
+  int pi_power(const Unit& unit, NodeId node);
+  void check_angle(const Unit& unit, NodeId node);
+  void check_angle_property(const Unit& unit, NodeId item, const Property& property);
+  void check_angle_arguments(const Unit& unit, NodeId node, const Signature& signature, bool is_rotation);
+
   std::string_view name(Symbol symbol) const { return program_.symbols.name(symbol); }
   std::uint32_t line(Span span) const { return program_.sources.position(span.file, span.begin).line; }
 
@@ -181,6 +195,8 @@ private:
   bool is_in_expect_ = false;            // where the questions are known
   bool is_main_ = false;
   std::vector<std::pair<const Unit*, NodeId>> wrong_models_; // of repeats
+  bool is_library_ = false;              // the scene places nothing: it is for others to use
+  bool reads_part_ = false;              // the name that is looked up next stands before a dot
   bool is_define_ = false;
   TopItem* top_item_ = nullptr;          // in a session: the statement being read
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself

@@ -109,7 +109,7 @@ public:
                                          : fmt::format("{}[{}]", spelling(diagnostic.severity), diagnostic.code));
     paint(bold, ": " + harmless(diagnostic.message));
     out_ += '\n';
-    const bool is_about_all = diagnostic.severity == Severity::note && diagnostic.span.begin == diagnostic.span.end;
+    const bool is_about_all = diagnostic.severity != Severity::error && diagnostic.span.begin == diagnostic.span.end;
     if (!is_about_all) snippet(diagnostic.span, diagnostic.label, color);
     for (const Note& note : diagnostic.notes) this->note(note);
     call_stack(diagnostic.call_stack);

@@ -23,7 +23,7 @@ struct Diagnostic {
   Severity severity = Severity::error;
   std::string code;    ///< "E0204"
   std::string message; ///< one sentence, names in back quotes, no full stop
-  Span span;           ///< empty in a note about the scene as a whole, which is shown without an excerpt
+  Span span;           ///< empty in a note or warning about the scene as a whole, which is shown without an excerpt
   std::string label;   ///< beside the carets: "did you mean `radius`?"; may be empty
   std::vector<Note> notes;
   std::vector<Note> call_stack; ///< innermost first

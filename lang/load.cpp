@@ -55,10 +55,15 @@ Loaded load(std::string text, std::string name, std::string path, const fs::path
   program.main = &files.parse_text(std::move(name), std::move(path), std::move(text));
   program.library = &files.parse_text(std::string(library_name), {}, std::string(library_text()));
   read_defines(program, files, options);
+  if (options.lint) {
+    report.want_remarks();
+    program.uses = std::make_unique<NameUses>();
+  }
   const double parsed_before = files.parse_seconds();
   const Stopwatch check_time;
   check(program, files, report);
   report_unused_defines(program, report);
+  if (program.uses && !report.has_errors()) program.uses->tell(report, program.symbols);
   loaded.statistics.check_seconds = check_time.seconds() - (files.parse_seconds() - parsed_before);
   loaded.statistics.parse_seconds = files.parse_seconds();
   loaded.statistics.bytes = files.bytes();
@@ -69,6 +74,7 @@ Loaded load(std::string text, std::string name, std::string path, const fs::path
   loaded.expectations = std::move(evaluated.expectations);
   if (!report.has_errors()) loaded.scene = std::move(evaluated.scene);
   loaded.diagnostics = report.finish();
+  loaded.remarks = report.finish_remarks();
   loaded.sources = std::move(program.sources);
   return loaded;
 }

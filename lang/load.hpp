@@ -27,6 +27,7 @@ struct LoadOptions {
   Limits limits;
   std::vector<std::string> include_roots; ///< folders beyond the scene's own that `include` and `use` may read from
   ObserverMaker observe;                   ///< who looks at the scene for its expectations; without, they are not tried
+  bool lint = false;                       ///< also look for what is well formed and hardly meant: `Loaded::remarks`
   const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic
 };
 
@@ -39,6 +40,7 @@ struct LoadStatistics {
 struct Loaded {
   std::optional<scene::Scene> scene;
   std::vector<Diagnostic> diagnostics;
+  std::vector<Diagnostic> remarks; ///< of the lint, where it was wanted: what the text alone shows
   SourceMap sources;
   LoadStatistics statistics;
   Expectations expectations;

@@ -144,6 +144,7 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   if (inside && inside->is_nothing) return;
   std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, noun, described.place) : shape(described);
   if (!made) return;
+  if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
   if (target.noun && target.noun->category == Category::combination) {
     if (!is_operand(described, *made)) return;
     made = builder_.united(*made);
@@ -176,6 +177,29 @@ std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const 
 
 // Every combination that was made since is said to be written here.
 void Evaluator::remember_places(Span place) { combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place); }
+
+// A solid whose material lets light through and does not say how it bends it.
+void Evaluator::remark_medium(const Described& described, const Content* content, scene::ShapeRef made) {
+  const Value* material = nullptr;
+  const auto look = [&](std::span<const PropertyValue> properties) {
+    for (const PropertyValue& p : properties) {
+      if ((p.id & parameter_bit) == 0 && described.noun->properties[p.id].common == Common::material) material = &p.value;
+    }
+  };
+  if (content) look(content->defaults);
+  look(described.properties);
+  if (!material || !material->is(ValueKind::thing) || material->thing().noun->category != Category::material) return;
+  const Thing& thing = material->thing();
+  const PropertyValue* refract = thing.find(*thing.noun->find(std::string_view("refract")));
+  const PropertyValue* ior = thing.find(*thing.noun->find(std::string_view("ior")));
+  const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
+  if (!bends_nothing || !builder_.open_part(made).empty()) return;
+  if (Diagnostic* d = report_.remark("W0106", refract->span)) {
+    d->message = "`refract` without `ior`: light goes straight through this solid";
+    d->label = "`ior` is 1 unless it is written";
+    d->notes.push_back({std::nullopt, "write `ior: 1.5` for glass, `ior: 1.33` for water, or `ior: 1` if it is meant"});
+  }
+}
 
 bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
   const std::string_view open = builder_.open_part(made);

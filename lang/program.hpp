@@ -1,9 +1,11 @@
 #pragma once
 
 #include "lang/ast.hpp"
+#include "lang/name_uses.hpp"
 #include "lang/nouns.hpp"
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,6 +48,7 @@ struct FunctionInfo {
   std::vector<Parameter> parameters;
   NodeId body = no_node;
   std::uint32_t frame_size = 0;
+  std::uint32_t use = NameUses::none;  ///< its number there, for the lint
   bool is_at_top_level = false;        ///< of its file
   const ModuleInfo* module = nullptr;  ///< the used file it stands in, null for the scene itself
   mutable bool was_run = false;
@@ -108,6 +111,7 @@ struct Program {
   };
   std::vector<LibraryName> library_names;
   std::vector<Symbol> param_names; ///< of the main file and what it includes
+  std::unique_ptr<NameUses> uses;  ///< where the lint is wanted: filled by check
 
   Program();
   /// The last one counts.

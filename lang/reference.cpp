@@ -2,6 +2,7 @@
 
 #include "lang/builtins/builtins.hpp"
 #include "lang/library.hpp"
+#include "lang/lint.hpp"
 #include "lang/nouns.hpp"
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 namespace rt::lang {
 namespace {
 
-constexpr std::array<std::string_view, 10> section_names = {"shapes",   "common", "chain",  "material", "library",
-                                                            "patterns", "lights", "camera", "scene",    "builtins"};
+constexpr std::array<std::string_view, 11> section_names = {"shapes",   "common", "chain",  "material", "library",
+                                                            "patterns", "lights", "camera", "scene",    "builtins", "lint"};
 
 std::string type_text(const Property& property) {
   switch (property.type) {
@@ -158,6 +159,7 @@ std::string describe(const ReferenceEntry& e) {
 }
 
 std::string markdown(std::string_view section) {
+  if (section == "lint") return lint_rules_markdown();
   std::vector<ReferenceEntry> entries;
   for (ReferenceEntry& e : reference())
     if (e.section == section) entries.push_back(std::move(e));

@@ -30,7 +30,7 @@ struct ReferenceEntry {
 };
 
 /// The sections in the order of the reference: "shapes", "common", "chain", "material", "library", "patterns", "lights",
-/// "camera", "scene", "builtins".
+/// "camera", "scene", "builtins", "lint".
 std::span<const std::string_view> reference_sections();
 
 /// All entries, by section.

@@ -91,6 +91,16 @@ Diagnostic* Report::add(Severity severity, std::string_view code, Span span) {
   return &diagnostic;
 }
 
+Diagnostic* Report::remark(std::string_view code, Span span) {
+  if (!wants_remarks_ || remarks_.size() >= most) return nullptr;
+  if (!known_.emplace(span.file, span.begin, span.end, std::string(code)).second) return nullptr;
+  Diagnostic& diagnostic = remarks_.emplace_back();
+  diagnostic.severity = Severity::warning;
+  diagnostic.code = code;
+  diagnostic.span = span;
+  return &diagnostic;
+}
+
 void Report::take(std::vector<Diagnostic> diagnostics) {
   for (Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity == Severity::error) {
@@ -101,11 +111,22 @@ void Report::take(std::vector<Diagnostic> diagnostics) {
   }
 }
 
-std::vector<Diagnostic> Report::finish() {
+namespace {
+
+std::vector<Diagnostic> sorted(std::vector<Diagnostic> diagnostics) {
   const auto place = [](const Diagnostic& d) { return std::tuple(d.span.file, d.span.begin, d.span.end); };
-  std::ranges::stable_sort(diagnostics_, {}, place);
-  if (is_cut_) diagnostics_.back().notes.push_back({std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
-  return std::move(diagnostics_);
+  std::ranges::stable_sort(diagnostics, {}, place);
+  return diagnostics;
 }
+
+} // namespace
+
+std::vector<Diagnostic> Report::finish() {
+  std::vector<Diagnostic> all = sorted(std::move(diagnostics_));
+  if (is_cut_) all.back().notes.push_back({std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
+  return all;
+}
+
+std::vector<Diagnostic> Report::finish_remarks() { return sorted(std::move(remarks_)); }
 
 } // namespace rt::lang

@@ -22,6 +22,15 @@ public:
   /// there are too many.
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
+  /// From now on `remark` takes what the lint has to say; it is kept apart.
+  void want_remarks() { wants_remarks_ = true; }
+  bool wants_remarks() const { return wants_remarks_; }
+  /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a model
+  /// stands for, the first one's place is told and no other's.
+  Diagnostic* remark(std::string_view code, Span span);
+  /// All remarks, in the order of their places in each file.
+  std::vector<Diagnostic> finish_remarks();
+
   /// Takes over the parser's diagnostics. What is said later about the same places follows from them and is left out.
   void take(std::vector<Diagnostic> diagnostics);
 
@@ -38,10 +47,12 @@ private:
   friend class StandIn;
 
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Diagnostic> remarks_;
   std::vector<Span> malformed_; // where the parser found errors
   std::set<std::tuple<FileId, std::uint32_t, std::uint32_t, std::string>> known_;
   std::size_t errors_ = 0;
   bool is_cut_ = false; // there were more errors
+  bool wants_remarks_ = false;
   const StandIn* stand_in_ = nullptr;
 };
 

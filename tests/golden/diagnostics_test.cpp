@@ -1,9 +1,10 @@
-// Every scene in diagnostics/ and, beside it, the report it must give. `tools/update_diagnostics` writes the reports anew:
-// read the differences before committing them.
+// Every scene in diagnostics/ and, beside it, the report it must give. `tools/update_diagnostics` writes the reports
+// anew: read the differences before committing them.
 
 #include "lang/diagnostic.hpp"
 #include "lang/load.hpp"
 #include "tests/paths.hpp"
+#include "tools/ask/lint.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -38,8 +39,8 @@ std::vector<fs::path> scenes() {
   return out;
 }
 
-/// A scene may begin with `// options: ` and what the command line is to say: -D name=value, --max-steps N, …, --stop; --test: its
-/// expectations are tried, by nobody who sees.
+/// A scene may begin with `// options: ` and what the command line is to say: -D name=value, --max-steps N, …, --stop;
+/// --test: its expectations are tried, by nobody who sees; --lint: the lint looks at it.
 LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
   constexpr std::string_view mark = "// options: ";
   LoadOptions options;
@@ -55,6 +56,7 @@ LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
     if (word == "--max-recursion") words >> options.limits.recursion;
     if (word == "--max-objects") words >> options.limits.objects;
     if (word == "--max-memory") words >> options.limits.memory_bytes;
+    if (word == "--lint") options.lint = true;
     if (word == "--stop") options.stop = &stop;
     if (word == "--test") options.observe = [](const rt::scene::Scene&) { return nullptr; };
   }
@@ -64,24 +66,32 @@ LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
 Loaded load(std::string name, std::string text) {
   const std::atomic<bool> stop = true;
   const LoadOptions options = options_of(text, stop);
-  return load_text(std::move(text), std::move(name), folder.string(), options);
+  Loaded loaded = load_text(std::move(text), std::move(name), folder.string(), options);
+  if (options.lint) loaded.diagnostics = rt::tools::ask::lint(loaded, {});
+  return loaded;
 }
 
 std::string report_of(std::string name, std::string text) {
   const Loaded loaded = load(std::move(name), std::move(text));
   std::string out;
   for (const Diagnostic& diagnostic : loaded.diagnostics) out += render(diagnostic, loaded.sources, false) + '\n';
-  for (const Diagnostic& diagnostic : loaded.expectations.failures) out += render(diagnostic, loaded.sources, false) + '\n';
+  for (const Diagnostic& diagnostic : loaded.expectations.failures)
+    out += render(diagnostic, loaded.sources, false) + '\n';
   return out;
 }
 
-bool is_fine(std::string_view scene) {
-  const Loaded loaded = load("mended.rtl", std::string(scene));
+/// What a code is about is found by the lint where it is a warning.
+std::string with_options(std::string_view scene, std::string_view code) {
+  return (code.starts_with('W') ? "// options: --lint\n" : "") + std::string(scene);
+}
+
+bool is_fine(std::string_view scene, std::string_view code) {
+  const Loaded loaded = load("mended.rtl", with_options(scene, code));
   return std::ranges::none_of(loaded.diagnostics, [](const Diagnostic& d) { return d.severity != Severity::note; });
 }
 
 bool raises(std::string_view scene, std::string_view code) {
-  return report_of("example.rtl", std::string(scene)).find('[' + std::string(code) + ']') != std::string::npos;
+  return report_of("example.rtl", with_options(scene, code)).find('[' + std::string(code) + ']') != std::string::npos;
 }
 
 } // namespace
@@ -111,7 +121,7 @@ TEST_CASE("diagnostics: the example of an explanation raises its code, and the m
   for (const Code& code : all_codes()) {
     INFO(code.code);
     if (!code.example.empty()) CHECK(raises(code.example, code.code));
-    if (!code.mended.empty()) CHECK(is_fine(code.mended));
+    if (!code.mended.empty()) CHECK(is_fine(code.mended, code.code));
     if (!code.mended.empty()) CHECK_FALSE(raises(code.mended, code.code));
   }
 }

@@ -13,7 +13,8 @@ _rtlang() {
     --format) words='png exr ppm pfm' ;;
     --bits) words='8 16' ;;
     --stats) words='json' ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --gate | --scenes | --seed) return ;;
+    --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --gate | --depth-share | --scenes | --seed) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')
@@ -31,7 +32,7 @@ _rtlang() {
   case $previous in
     -o | --output | --report) COMPREPLY+=($(compgen -f -- "$word")) ;;
     --include-root) COMPREPLY+=($(compgen -d -- "$word")) ;;
-    --diagnostics | --format | --bits) ;;
+    --diagnostics | --format | --bits | --allow) ;;
     *) COMPREPLY+=($(compgen -f -X '!*.@(rtl|png|exr|ppm|pgm|pfm)' -- "$word") $(compgen -d -- "$word")) ;;
   esac
 }

@@ -20,11 +20,19 @@ void print_error(std::string_view text) noexcept {
 
 bool error_is_terminal() { return ::isatty(STDERR_FILENO) != 0; }
 
-bool error_takes_color() {
+namespace {
+
+bool colors_are_wanted() {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   if (no_color != nullptr && *no_color != '\0') return false;
-  return error_is_terminal() && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return terminal != nullptr && std::string_view(terminal) != "dumb";
 }
+
+} // namespace
+
+bool error_takes_color() { return error_is_terminal() && colors_are_wanted(); }
+
+bool output_takes_color() { return ::isatty(STDOUT_FILENO) != 0 && colors_are_wanted(); }
 
 } // namespace rt::tools

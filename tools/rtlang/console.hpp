@@ -12,5 +12,7 @@ void print_error(std::string_view text) noexcept;
 bool error_is_terminal();
 /// Standard error is a terminal that knows colours and NO_COLOR is not set (see no-color.org).
 bool error_takes_color();
+/// The same for standard output.
+bool output_takes_color();
 
 } // namespace rt::tools

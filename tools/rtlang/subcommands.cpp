@@ -14,6 +14,7 @@ std::span<const Subcommand> subcommands() {
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures how far two pictures are apart", declare_diff},
       {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material", declare_probe},
       {"why", "SCENE --pixel X,Y [OPTIONS]", "tells why it has its colour: rays, roots, terms, one sentence", declare_why},
+      {"lint", "SCENE [OPTIONS]", "warns of what is well formed and hardly meant", declare_lint},
       {"test", "SCENES... [OPTIONS]", "tries what the scenes expect of themselves", declare_test},
       {"fmt", "FILES... [--check]", "rewrites scenes in the house's layout", declare_fmt},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},

@@ -40,6 +40,8 @@ std::optional<ReferenceEntry> find_entry(std::string_view name);
 
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
+/// A word of the grammar, with an example; empty for any other word.
+std::string describe_keyword(std::string_view word);
 /// A section as Markdown: what stands between the `generated` marks of the reference. `section` must be one of them.
 std::string markdown(std::string_view section);
 

@@ -5,6 +5,7 @@
 #include "lang/session_change.hpp"
 #include "lang/session_scene.hpp"
 #include "lang/session_text.hpp"
+#include "lang/suggest.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -75,12 +76,10 @@ SessionResult failed(SessionCore& core) {
   return result;
 }
 
-SessionResult failed(std::string code, std::string message, std::string advice = {}) {
+SessionResult failed(std::string problem, std::vector<std::string> advice = {}) {
   SessionResult result;
-  Diagnostic& d = result.diagnostics.emplace_back();
-  d.code = std::move(code);
-  d.message = std::move(message);
-  if (!advice.empty()) d.notes.push_back({std::nullopt, std::move(advice)});
+  result.problem = std::move(problem);
+  result.advice = std::move(advice);
   return result;
 }
 
@@ -249,30 +248,58 @@ SessionResult Session::reset() {
 
 namespace {
 
+// What is found under a name.
+struct Search {
+  std::optional<std::size_t> found;
+  std::string problem; // where nothing is, or nothing that is meant for sure
+};
+
+// Whether the statement places a thing with this `name`.
+bool places(const SessionCore& core, const Statement& statement, std::string_view name) {
+  const Ast& ast = statement.unit->ast;
+  const Node& whole = ast[statement.nodes.front()];
+  return std::any_of(ast.nodes.begin(), ast.nodes.end(), [&](const Node& node) {
+    if (node.kind != Kind::property || core.program.symbols.name(Symbol{node.a}) != "name") return false;
+    const NodeId value{node.b};
+    const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
+    return is_inside && ast.kind(value) == Kind::string && ast.text(value) == name;
+  });
+}
+
+bool is_copy_of(const SessionCore& core, const Statement& statement, std::string_view noun) {
+  const Ast& ast = statement.unit->ast;
+  const NodeId base = innermost(ast, statement.nodes.front());
+  return ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == noun;
+}
+
+std::string nothing_called(const SessionCore& core, const SessionChange& change, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < change.size(); ++i)
+    for (const TopName& top : change[i].names) names.push_back(core.program.symbols.name(top.name));
+  const auto guess = nearest(name, names);
+  return fmt::format("there is nothing called `{}`{}", name, guess ? fmt::format("; did you mean `{}`?", *guess) : "");
+}
+
 // The statement that a name stands for: what declares it, the thing with this name, or the only one of its noun.
-std::optional<std::size_t> find_thing(const SessionCore& core, const SessionChange& change, std::string_view name) {
+Search find_thing(const SessionCore& core, const SessionChange& change, std::string_view name) {
   if (const Symbol symbol = core.program.symbols.find(name); symbol != no_symbol)
-    if (const auto at = change.find(symbol)) return at;
-  std::optional<std::size_t> by_noun;
+    if (const auto at = change.find(symbol)) return {at, ""};
+  std::vector<std::size_t> copies;
+  std::size_t count = 0;
   for (std::size_t i = change.size(); i-- > 0;) {
     const Statement& statement = change[i];
-    if (statement.nodes.size() != 1 || statement.declares()) continue;
-    const Ast& ast = statement.unit->ast;
-    for (const Node& node : ast.nodes) {
-      if (node.kind != Kind::property || core.program.symbols.name(Symbol{node.a}) != "name") continue;
-      const NodeId value{node.b};
-      const Node& whole = ast[statement.nodes.front()];
-      const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
-      if (is_inside && ast.kind(value) == Kind::string && ast.text(value) == name) return i;
-    }
-    const NodeId base = innermost(ast, statement.nodes.front());
-    if (ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == name) {
-      if (by_noun) return std::nullopt;
-      by_noun = i;
-    }
+    if (statement.declares() || statement.is_comment()) continue;
+    if (statement.nodes.size() == 1 && places(core, statement, name)) return {i, ""};
+    if (!is_copy_of(core, statement, name)) continue;
+    copies.push_back(i);
+    count += statement.nodes.size();
   }
-  return by_noun;
+  if (count == 1) return {copies.front(), ""};
+  if (count == 0) return {std::nullopt, nothing_called(core, change, name)};
+  return {std::nullopt, fmt::format("there are {} of `{}`; which one?", count, name)};
 }
+
+constexpr const char* how_to_name = "a thing has a name when it is bound with `=`, or by its property `name`";
 
 std::string line_of(const Statement& statement) { return fmt::format("`{}`", shortened(statement.text)); }
 
@@ -285,19 +312,17 @@ SessionResult Session::set(std::string_view target, std::string_view value) {
   const std::string_view name = target.substr(0, dot), property = target.substr(dot + 1);
   core.report = Report();
   SessionChange change(core, state_->document());
-  const auto at = find_thing(core, change, name);
-  if (!at)
-    return failed("E0201", fmt::format("there is no thing called `{}`", name),
-                  "a thing has a name when it is bound with `=`, or by its property `name`");
+  const auto [at, problem] = find_thing(core, change, name);
+  if (!at) return failed(problem, {how_to_name});
   const Statement& statement = change[*at];
   const Ast& ast = statement.unit->ast;
   if (statement.is_function() || statement.kind == Kind::use || statement.kind == Kind::include)
-    return failed("E0201", fmt::format("`{}` is no thing, but a declaration", name));
+    return failed(fmt::format("`{}` is no thing, but a declaration", name));
   NodeId node = statement.nodes.front();
   if (statement.kind == Kind::bind) node = ast.bind_item(node).value;
   const std::string_view source = core.program.sources.file(ast.file).text;
   const auto edited = with_property(source, ast, node, core.program.symbols.intern(property), property, value);
-  if (!edited) return failed("E0201", fmt::format("{} has no properties", line_of(statement)));
+  if (!edited) return failed(fmt::format("{} has no properties", line_of(statement)));
   const Node& whole = ast[statement.nodes.front()];
   const std::string old_item(source.substr(whole.begin, whole.end - whole.begin));
   const std::string item = edited->substr(whole.begin, old_item.size() + edited->size() - source.size());
@@ -318,18 +343,18 @@ SessionResult Session::remove(std::string_view name) {
   SessionCore& core = state_->core;
   core.report = Report();
   SessionChange change(core, state_->document());
-  std::optional<std::size_t> at = find_thing(core, change, name);
+  auto [at, problem] = find_thing(core, change, name);
   if (!at) {
     const Symbol symbol = core.program.symbols.find(name);
     for (std::size_t i = 0; i < change.size(); ++i)
       if (symbol != no_symbol && change[i].kind == Kind::property && change[i].key == symbol) at = i;
   }
-  if (!at) return failed("E0201", fmt::format("there is nothing called `{}`", name));
+  if (!at) return failed(problem, {how_to_name});
   const std::vector<std::size_t> users = change.users(*at);
   if (!users.empty()) {
-    SessionResult result = failed("E0201", fmt::format("`{}` cannot be removed: it is used", name));
-    for (const std::size_t user : users) result.diagnostics.back().notes.push_back({std::nullopt, "by " + line_of(change[user])});
-    return result;
+    std::vector<std::string> advice;
+    for (const std::size_t user : users) advice.push_back("by " + line_of(change[user]));
+    return failed(fmt::format("`{}` cannot be removed: it is used", name), std::move(advice));
   }
   change.changes.push_back("removed: " + shortened(change[*at].text));
   change.erase(*at);
@@ -361,6 +386,12 @@ bool Session::go_to(std::size_t version) {
 std::size_t Session::version() const { return state_->current; }
 const std::vector<SessionVersion>& Session::versions() const { return state_->versions; }
 std::string Session::folder() const { return state_->core.files.folder(); }
+bool Session::includes_files() const {
+  const Document& document = state_->document();
+  return std::any_of(document.begin(), document.end(), [](const StatementRef& statement) {
+    return statement->kind == Kind::use || statement->kind == Kind::include;
+  });
+}
 bool Session::is_empty() const { return state_->document().empty(); }
 std::string Session::text(std::size_t version) const { return join_lines(*state_->documents[version].document); }
 
@@ -419,6 +450,14 @@ const TopName* find_name(const Document& document, Symbol symbol) {
 }
 
 } // namespace
+
+std::string Session::text_of(std::string_view name) const {
+  const Symbol symbol = state_->core.program.symbols.find(name);
+  if (symbol == no_symbol) return "";
+  for (const StatementRef& statement : state_->document())
+    if (statement->declares() && statement->key == symbol) return statement->text;
+  return "";
+}
 
 const Noun* Session::noun_of(std::string_view name) const {
   SessionCore& core = state_->core;

@@ -27,6 +27,8 @@ struct PrintedValue {
 /// What became of one input. Unless it is accepted the session is as it was before.
 struct SessionResult {
   bool is_accepted = false;
+  std::string problem;                 ///< a sentence, where something other than a statement's text is wrong
+  std::vector<std::string> advice;     ///< what to know about the problem
   std::vector<Diagnostic> diagnostics; ///< errors where it is not accepted; else warnings and notes
   std::vector<std::string> changes;    ///< what happened to the document, a sentence each
   std::vector<PrintedValue> values;
@@ -92,11 +94,14 @@ public:
   std::string text(std::size_t version) const;
   /// As a scene file, in the formatter's layout.
   std::string formatted() const;
+  /// The statement that declares this name; empty where none does.
+  std::string text_of(std::string_view name) const;
   /// What differs between two versions, statement by statement: lines that begin with "- " and "+ ".
   std::string diff(std::size_t from, std::size_t to) const;
   bool is_empty() const;
   /// What relative includes start from.
   std::string folder() const;
+  bool includes_files() const;
 
   /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change. Its tables
   /// (shapes, materials, …) also hold what stands nowhere any more: they only grow.

@@ -74,22 +74,56 @@ std::vector<ItemText> cut_items(std::string_view source, const Ast& ast, NodeLis
   return texts;
 }
 
+namespace {
+
+// Puts tokens on one line, with a separator where a line break was one.
+class OneLine {
+public:
+  explicit OneLine(std::string_view text) : text_(text) {}
+
+  std::string run(std::size_t longest) {
+    for (Token token = next_token(text_, 0); token.kind != TokenKind::end; token = next_token(text_, token.end)) {
+      if (is_comment(token.kind)) continue;
+      if (token.kind == TokenKind::newline) had_newline_ = true;
+      else take(token);
+      if (line_.size() > longest) break;
+    }
+    return std::move(line_);
+  }
+
+private:
+  void take(Token token) {
+    const std::string_view word = text_of(text_, token);
+    const bool had_blank = token.begin > 0 && (text_[token.begin - 1] == ' ' || text_[token.begin - 1] == '\t');
+    if (had_newline_ && separates(token, word)) line_ += open_.empty() ? ';' : ',';
+    if ((had_newline_ || had_blank) && !line_.empty()) line_ += ' ';
+    line_ += word;
+    if (token.kind == TokenKind::open) open_ += word;
+    if (token.kind == TokenKind::close && !open_.empty()) open_.pop_back();
+    last_ = token.kind;
+    had_newline_ = false;
+  }
+
+  // Whether the line break before the token separates.
+  bool separates(Token token, std::string_view word) const {
+    const bool goes_on = last_ == TokenKind::end || last_ == TokenKind::open || last_ == TokenKind::symbol || last_ == TokenKind::separator;
+    if (goes_on || token.kind == TokenKind::close || token.kind == TokenKind::separator || word == ".") return false;
+    if (open_.empty()) return true;
+    const bool is_clause = open_.back() == '[' && (word == "for" || word == "if");
+    return open_.back() != '(' && !is_clause;
+  }
+
+  std::string_view text_;
+  std::string line_, open_; // brackets that are open
+  TokenKind last_ = TokenKind::end;
+  bool had_newline_ = false;
+};
+
+} // namespace
+
 std::string shortened(std::string_view text) {
   constexpr std::size_t longest = 100;
-  std::string line;
-  bool had_space = false;
-  for (Token token = next_token(text, 0); token.kind != TokenKind::end; token = next_token(text, token.end)) {
-    if (is_comment(token.kind)) continue;
-    if (token.kind == TokenKind::newline) {
-      had_space = true;
-      continue;
-    }
-    had_space = had_space || (token.begin > 0 && (text[token.begin - 1] == ' ' || text[token.begin - 1] == '\t'));
-    if (had_space && !line.empty()) line += ' ';
-    line += text_of(text, token);
-    had_space = false;
-    if (line.size() > longest) break;
-  }
+  std::string line = OneLine(text).run(longest);
   if (line.size() <= longest) return line;
   line.resize(longest);
   while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();

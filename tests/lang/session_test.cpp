@@ -258,8 +258,9 @@ TEST_CASE("session: what others use is not removed") {
   talk.say("ball { at: [0, 1, 0] }");
   const SessionResult refused = talk.session.remove("ball");
   CHECK_FALSE(refused.is_accepted);
-  REQUIRE(refused.diagnostics.front().notes.size() == 1);
-  CHECK(refused.diagnostics.front().notes.front().message == "by `ball { at: [0, 1, 0] }`");
+  CHECK(refused.problem == "`ball` cannot be removed: it is used");
+  REQUIRE(refused.advice.size() == 1);
+  CHECK(refused.advice.front() == "by `ball { at: [0, 1, 0] }`");
   talk.say("box { name: \"crate\" }");
   REQUIRE(talk.session.remove("crate").is_accepted);
   CHECK(talk.count() == 1);
@@ -267,6 +268,31 @@ TEST_CASE("session: what others use is not removed") {
   REQUIRE(talk.session.remove("n").is_accepted);
   talk.refuse("n");
   CHECK_FALSE(talk.session.remove("nobody").is_accepted);
+}
+
+TEST_CASE("session: a thing without a name is found by its noun, if it is the only one") {
+  Talk talk;
+  talk.say("sphere {}");
+  REQUIRE(talk.session.set("sphere.radius", "2").is_accepted);
+  CHECK(talk.radius(0) == 2);
+  talk.say("sphere { at: [3, 0, 0] }");
+  CHECK(talk.session.set("sphere.radius", "3").problem == "there are 2 of `sphere`; which one?");
+  CHECK(talk.session.remove("sphere").problem == "there are 2 of `sphere`; which one?");
+  talk.say("crate = box {}");
+  CHECK(talk.session.remove("crat").problem == "there is nothing called `crat`; did you mean `crate`?");
+  CHECK(talk.session.text_of("crate") == "crate = box {}");
+  CHECK(talk.session.text_of("sphere").empty());
+}
+
+TEST_CASE("session: versions are described on one line that says the same") {
+  Talk talk;
+  talk.say("ball = sphere {\n  radius: 2\n  at: [\n    1\n    2, 3\n  ]\n}");
+  talk.say("for i in 0..1 {\n  box {}\n  sphere {}\n    .move(\n  x: i\n)\n}");
+  talk.say("a = 1 +\n  2\nb = [\n  x\n  for x in 0..2\n]");
+  const auto& versions = talk.session.versions();
+  CHECK(versions[1].description == "ball = sphere { radius: 2, at: [ 1, 2, 3 ] }");
+  CHECK(versions[2].description == "for i in 0..1 { box {}, sphere {} .move( x: i ) }");
+  CHECK(versions[3].description == "a = 1 + 2; b = [ x for x in 0..2 ]");
 }
 
 TEST_CASE("session: undo and redo go over every kind of change, and pictures come back") {

@@ -116,6 +116,49 @@ TEST_CASE("repl at a terminal: an open bracket goes on in the next line, set in"
   CHECK(terminal.shows("box   around [1, 0, 0]"));
 }
 
+TEST_CASE("repl at a terminal: a closing bracket goes back to where its block began") {
+  const Home home;
+  Terminal terminal(home);
+  terminal.send("group {\r");
+  REQUIRE(terminal.wait_for_cursor_row(""));
+  terminal.type("box {", "  box {");
+  terminal.send("\r");
+  REQUIRE(terminal.wait_for_cursor_row(""));
+  terminal.type("size: 1", "    size: 1");
+  terminal.send("\r");
+  REQUIRE(terminal.wait_for_cursor_row(""));
+  terminal.type("}", "  }");
+  terminal.send("\r");
+  REQUIRE(terminal.wait_for_cursor_row(""));
+  terminal.type("}", "}");
+  CHECK(terminal.screen().cursor_x() == 1);
+  terminal.say("");
+  terminal.say(":history");
+  CHECK(terminal.shows("group { box { size: 1 } }"));
+}
+
+TEST_CASE("repl at a terminal: words that are commands without their colon are answered as such") {
+  const Home home;
+  Terminal terminal(home);
+  terminal.say("help");
+  CHECK(terminal.shows("a command begins with a colon: `:help`"));
+  terminal.say("exit");
+  CHECK(terminal.shows("a command begins with a colon: `:quit`"));
+  terminal.say("list = [1, 2]");
+  terminal.say("list");
+  CHECK(terminal.shows("\n[1, 2"));
+}
+
+TEST_CASE("repl at a terminal: the document is shown with the numbers that answers name") {
+  const Home home;
+  Terminal terminal(home);
+  terminal.say("sphere{radius:2}");
+  terminal.say(":text");
+  CHECK(terminal.shows("   1  sphere { radius: 2 }"));
+  terminal.say(":probe 400,300");
+  CHECK(terminal.shows("sphere (session:1)"));
+}
+
 TEST_CASE("repl at a terminal: many lines can be pasted, marked as such or not") {
   const Home home;
   Terminal terminal(home);

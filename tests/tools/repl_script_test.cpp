@@ -1,5 +1,6 @@
 #include "tests/tools/program.hpp"
 #include "tools/repl/commands.hpp"
+#include "tools/repl/wrap.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -78,6 +79,34 @@ TEST_CASE("session as a script: the reference, POV-Ray's format and the program'
   CHECK(outcome.output.find("material.shininess: number (32)") != std::string::npos);
   CHECK(folder.read("a.pov").find("sphere") != std::string::npos);
   CHECK(session(folder, ":doc spher\n").errors.find("did you mean `sphere`?") != std::string::npos);
+}
+
+TEST_CASE("session as a script: what has a name is explained, also one's own") {
+  const TestFolder folder;
+  CHECK(session(folder, "crate = box { size: 2 }\n:doc crate\n").output == "crate = box { size: 2 }\n  takes what `box` takes: see `:doc box`\n");
+  CHECK(session(folder, ":doc tomato\n").output == "tomato: the colour #ff6347\n");
+  CHECK(session(folder, ":doc for\n").output.find("for x in 0..5") == 0);
+  CHECK(session(folder, ":doc :show\n").output.find(":show") == 0);
+  CHECK(session(folder, "crate = 1\n:doc crat\n").errors.find("did you mean `crate`?") != std::string::npos);
+}
+
+TEST_CASE("session as a script: what is included is found by the program's questions, and missed where it is saved") {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.path() / "inner");
+  folder.write("inner/colors.rtl", "rust = #b7410e\n");
+  folder.write("inner/scene.rtl", "use \"colors.rtl\" as colors\nsphere { material: colors.rust }\n");
+  const Outcome outcome = session(folder, ":load inner/scene.rtl\n:probe 400 300\n:save inner/copy.rtl\n:save copy.rtl\n1 + 1\n");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.output.find("sphere (session:2)") != std::string::npos);
+  CHECK(outcome.errors.find("the files it includes are in") == 0);
+  CHECK(outcome.output.find("\n2\n") != std::string::npos);
+}
+
+TEST_CASE("wrapping: what is too long goes on below the second column") {
+  using rt::tools::wrapped;
+  CHECK(wrapped("  radius  how far it is\nshort\n", 16) == "  radius  how\n          far it\n          is\nshort\n");
+  CHECK(wrapped("one two three four\n", 10) == "one two\n  three\n  four\n");
+  CHECK(wrapped("unbreakable_word\n", 6) == "unbreakable_word\n");
 }
 
 TEST_CASE("session as a script: pictures are characters") {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 
@@ -12,6 +13,8 @@
 
 namespace rt::tools {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::optional<std::size_t> version_number_of(Shell& shell, std::string_view text) {
   std::size_t number = 0;
@@ -40,6 +43,24 @@ bool list(Shell& shell, std::string_view) {
                         kind_width, object.place, times);
   }
   shell.print(text);
+  return true;
+}
+
+// The document as it would be saved, where someone looks on with the numbers of its lines.
+bool text(Shell& shell, std::string_view) {
+  const std::string document = shell.session().formatted();
+  if (!shell.options().is_interactive) {
+    shell.print(document);
+    return true;
+  }
+  std::string numbered;
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < document.size();) {
+    const std::size_t end = std::min(document.find('\n', begin), document.size());
+    numbered += dim(fmt::format("{:>4}", ++number), shell.output().uses_color) + "  " + document.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  shell.print(numbered.empty() ? "the document is empty\n" : numbered);
   return true;
 }
 
@@ -117,6 +138,14 @@ bool load(Shell& shell, std::string_view arguments) {
   return true;
 }
 
+// What the document includes is sought where it is saved.
+void warn_of_includes(Shell& shell, const std::string& path, const std::string& folder) {
+  std::error_code error;
+  const fs::path saved = fs::weakly_canonical(path, error).parent_path();
+  if (error || fs::equivalent(saved, folder, error) || !shell.session().includes_files()) return;
+  shell.fail(fmt::format("the files it includes are in {}, and will be sought in {}", folder, saved.string()));
+}
+
 bool save(Shell& shell, std::string_view arguments) {
   const std::vector<std::string> words = words_of(arguments);
   if (words.size() > 1) return shell.fail("as in `:save scene.rtl`");
@@ -128,8 +157,10 @@ bool save(Shell& shell, std::string_view arguments) {
   } catch (const std::system_error& error) {
     return shell.fail(error.what());
   }
+  const std::string folder = shell.session().folder();
   shell.became_saved(path);
   shell.print(dim(fmt::format("saved as {}", path), shell.output().uses_color) + "\n");
+  warn_of_includes(shell, path, folder);
   return true;
 }
 
@@ -140,6 +171,7 @@ bool reset(Shell& shell, std::string_view) { return shell.report(shell.session()
 std::span<const ShellCommand> document_commands() {
   static constexpr ShellCommand table[] = {
       {"list", "", "the things in the scene: name, kind, place", ArgumentKind::none, list},
+      {"text", "", "the document, as :save would write it", ArgumentKind::none, text},
       {"set", "NAME.PROP VALUE", "changes a property of a thing with a name", ArgumentKind::property, set},
       {"remove", "NAME", "takes out a thing or a name that nothing else uses", ArgumentKind::thing, remove},
       {"undo", "", "takes back the last change", ArgumentKind::none, undo},

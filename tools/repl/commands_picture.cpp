@@ -85,6 +85,7 @@ private:
 bool render(Shell& shell, std::string_view arguments) {
   RenderCommand command = parse_render(arguments);
   if (!command.problem.empty()) return shell.fail(command.problem);
+  if (command.path.find('.', command.path.rfind('/') + 1) == std::string::npos) command.path += ".png";
   const auto format = format_of(command.path);
   if (!format) return shell.fail(fmt::format("`{}` does not end in .png, .exr, .ppm or .pfm", command.path));
   command.settings.layers = *format == ImageFormat::exr;

@@ -1,9 +1,13 @@
+#include "lang/css_colors.hpp"
+#include "lang/nouns.hpp"
 #include "lang/reference.hpp"
 #include "lang/suggest.hpp"
 #include "renderer/image/file.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
+#include "tools/repl/swatch.hpp"
 #include "tools/repl/terminal.hpp"
+#include "tools/repl/wrap.hpp"
 #include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/program.hpp"
 
@@ -26,7 +30,7 @@ public:
     std::string pattern = (fs::temp_directory_path() / "rtlang-XXXXXX").string();
     if (!mkdtemp(pattern.data())) throw std::system_error(errno, std::generic_category(), pattern);
     folder_ = pattern;
-    replace_file(path(), session.text());
+    replace_file(path(), session.formatted());
   }
   ~DocumentFile() {
     std::error_code ignored;
@@ -44,7 +48,8 @@ private:
 bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::string>& arguments) {
   try {
     const DocumentFile document(shell.session());
-    std::vector<std::string> words{subcommand, document.path(), "--quiet", "--include-root", shell.session().folder()};
+    std::vector<std::string> words{subcommand, document.path(), "--quiet", "--shown-as", "session", "--seen-from",
+                                   shell.session().folder()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const InterruptScope interrupt;
     return run_for_session(std::move(words)) == exit_fine;
@@ -53,13 +58,16 @@ bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::str
   }
 }
 
-// X Y, or the options that the subcommand takes.
+// X Y or X,Y, or the options that the subcommand takes.
 bool ask_about_pixel(Shell& shell, const std::string& subcommand, std::string_view arguments) {
   std::vector<std::string> words = words_of(arguments);
   if (words.empty()) return shell.fail(fmt::format("as in `:{} 400 300`, a pixel from the top left", subcommand));
-  if (words.size() >= 2 && !words[0].starts_with('-') && !words[1].starts_with('-')) {
-    words[0] += "," + words[1];
-    words.erase(words.begin() + 1);
+  const auto is_option = [&words](std::size_t i) { return i >= words.size() || words[i].starts_with('-'); };
+  if (!is_option(0)) {
+    if (!is_option(1)) {
+      words[0] += (words[0].ends_with(',') ? "" : ",") + words[1];
+      words.erase(words.begin() + 1);
+    }
     words.insert(words.begin(), "--pixel");
   }
   return ask(shell, subcommand, words);
@@ -74,7 +82,9 @@ bool export_scene(Shell& shell, std::string_view arguments) {
   std::vector<std::string> words = words_of(arguments);
   if (words.size() < 2 || words[0] != "pov") return shell.fail("as in `:export pov scene.pov`");
   words[0] = "-o";
-  return ask(shell, "export", words);
+  if (!ask(shell, "export", words)) return false;
+  shell.print(dim(fmt::format("written to {}", words[1]), shell.output().uses_color) + "\n");
+  return true;
 }
 
 std::string describe_property(std::string_view name) {
@@ -91,18 +101,43 @@ std::string describe_property(std::string_view name) {
   return text;
 }
 
+// A name of the document, with what it stands for.
+std::string describe_own(Shell& shell, std::string_view name) {
+  const std::string text = shell.session().text_of(name);
+  if (text.empty()) return "";
+  const lang::Noun* noun = shell.session().noun_of(name);
+  const bool is_more = noun != nullptr && noun->name != name;
+  return text + (is_more ? fmt::format("\n  takes what `{0}` takes: see `:doc {0}`\n", noun->name) : "\n");
+}
+
+std::string describe_color(const Shell& shell, std::string_view name) {
+  const auto rgb = lang::find_css_color(name);
+  if (!rgb) return "";
+  const std::string sample = shell.output().uses_color ? swatch(lang::from_srgb8(*rgb)) + " " : "";
+  return fmt::format("{}{}: the colour #{:06x}\n", sample, name, *rgb);
+}
+
+std::string describe_word(Shell& shell, std::string_view word) {
+  std::string text = describe_own(shell, word);
+  if (const auto entry = lang::find_entry(word)) return text + lang::describe(*entry);
+  if (text.empty()) text = describe_property(word);
+  if (text.empty()) text = describe_color(shell, word);
+  if (text.empty()) text = lang::describe_keyword(word);
+  return text;
+}
+
 bool doc(Shell& shell, std::string_view arguments) {
   if (arguments.empty()) return shell.fail("as in `:doc sphere`, `:doc radius` or `:doc clamp`");
-  const auto entry = lang::find_entry(arguments);
-  const std::string text = (entry ? lang::describe(*entry) : "") + (entry ? "" : describe_property(arguments));
+  if (arguments.front() == ':') return shell.run(fmt::format(":help {}", arguments));
+  const std::string text = describe_word(shell, arguments);
   if (!text.empty()) {
-    shell.print(text);
+    shell.print(shell.options().is_interactive ? wrapped(text, static_cast<std::size_t>(terminal_size().columns)) : text);
     return true;
   }
-  std::vector<std::string> owned;
-  for (const lang::ReferenceEntry& e : lang::reference()) owned.push_back(e.name);
-  const std::vector<std::string_view> names(owned.begin(), owned.end());
-  const auto nearest = lang::nearest(arguments, names);
+  std::vector<std::string> names = shell.session().names();
+  for (const lang::ReferenceEntry& e : lang::reference()) names.push_back(e.name);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto nearest = lang::nearest(arguments, views);
   return shell.fail(fmt::format("the language has no `{}`{}", arguments,
                                 nearest ? fmt::format("; did you mean `{}`?", *nearest) : ""));
 }

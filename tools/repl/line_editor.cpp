@@ -21,6 +21,7 @@ namespace {
 
 // Keys that no one types, for what libedit is to do at our word.
 enum PrivateKey : int {
+  key_backspace = 0x08,
   key_enter = '\r',
   key_tab = '\t',
   key_interrupt_done = -1,
@@ -148,6 +149,8 @@ private:
     rl_add_defun("rtlang-complete", [](int, int) { return current->complete(); }, key_tab);
     rl_add_defun("rtlang-up", [](int, int) { return current->up(); }, key_up);
     rl_add_defun("rtlang-down", [](int, int) { return current->down(); }, key_down);
+    for (const int bracket : {'}', ']', ')'})
+      rl_add_defun("rtlang-close", [](int, int key) { return current->close(key); }, bracket);
     for (const char* line : {"bind '\\201' ed-newline", "bind '\\202' ed-prev-history", "bind '\\203' ed-next-history",
                              "bind '\\204' ed-prev-line", "bind '\\205' ed-next-line", "bind '\\206' ed-next-char",
                              "bind '\\207' em-kill-line"})
@@ -212,6 +215,17 @@ private:
     }
   }
 
+  // A closing bracket on a row of its own stands below what it closes.
+  bool closes_row() const {
+    if (reader_.has_more() || !queue_.empty()) return false;
+    const std::string_view before = text().substr(0, cursor());
+    const std::size_t newline = before.rfind('\n');
+    if (newline == std::string_view::npos) return false;
+    const std::string_view row = before.substr(newline + 1);
+    return row.size() >= 2 && row.find_first_not_of(' ') == std::string_view::npos && is_at_end_of_row();
+  }
+  bool is_at_end_of_row() const { return cursor() == text().size() || text()[cursor()] == '\n'; }
+
   // What fits the screen goes into the line, to be looked at and edited; more than that is taken as it is.
   void take_pasted(std::string_view pasted) {
     while (!pasted.empty() && (pasted.back() == '\n' || pasted.back() == ' ')) pasted.remove_suffix(1);
@@ -267,6 +281,13 @@ private:
       write_all("\r\n\x1b[J" + in_columns(found.words, static_cast<std::size_t>(terminal_size().columns)));
       rl_forced_update_display();
     }
+    return 0;
+  }
+
+  int close(int bracket) {
+    std::vector<int> keys{key_quote, bracket};
+    if (closes_row()) keys = {key_backspace, key_backspace, key_quote, bracket};
+    queue_.insert(queue_.begin(), keys.begin(), keys.end()); // before the rest of what is pasted
     return 0;
   }
 

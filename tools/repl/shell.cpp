@@ -6,6 +6,7 @@
 #include "tools/rtlang/interrupt.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 
@@ -19,6 +20,21 @@ using Clock = std::chrono::steady_clock;
 lang::LoadOptions stoppable(lang::LoadOptions options) {
   options.stop = &stop_flag();
   return options;
+}
+
+// The command that words without a colon look like: `quit`, `load scene.rtl`.
+const ShellCommand* meant_command(std::string_view input) {
+  input = trimmed(input);
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto end = static_cast<std::size_t>(std::find_if_not(input.begin(), input.end(), is_letter) - input.begin());
+  std::string_view word = input.substr(0, end);
+  if (input == "?") word = "help";
+  else if (end < input.size() && (input[end] != ' ' || (!is_letter(input[end + 1]) && input[end + 1] != '/'))) return nullptr;
+  if (word == "exit") word = "quit";
+  for (const auto table : {picture_commands(), document_commands(), question_commands(), general_commands()})
+    for (const ShellCommand& command : table)
+      if (command.name == word) return &command;
+  return nullptr;
 }
 
 } // namespace
@@ -52,7 +68,11 @@ bool Shell::run(std::string_view input) {
 bool Shell::run_statements(std::string_view input) {
   if (trimmed(input).empty()) return true;
   const InterruptScope interrupt;
-  return report(session_.submit(input));
+  const lang::SessionResult result = session_.submit(input);
+  if (!result.is_accepted)
+    if (const ShellCommand* command = meant_command(input))
+      return fail(fmt::format("that is a command, and a command begins with a colon: `:{}` ({})", command->name, command->summary));
+  return report(result);
 }
 
 // The journal holds the inputs that changed the document, which lead to it again.
@@ -95,6 +115,8 @@ std::optional<scene::Scene> Shell::document_scene() {
 
 bool Shell::report(const lang::SessionResult& result) {
   std::string told;
+  if (!result.problem.empty()) told += result.problem + "\n";
+  for (const std::string& line : result.advice) told += "  " + line + "\n";
   for (const lang::Diagnostic& diagnostic : result.diagnostics)
     told += lang::render(diagnostic, session_.sources(), output_.uses_color);
   if (!told.empty()) output_.complain(told);

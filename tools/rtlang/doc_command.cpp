@@ -36,6 +36,10 @@ int print_entry(const std::string& name) {
     print(lang::describe(*entry));
     return exit_fine;
   }
+  if (const std::string text = lang::describe_keyword(name); !text.empty()) {
+    print(text);
+    return exit_fine;
+  }
   std::vector<std::string> owned;
   for (const lang::ReferenceEntry& e : lang::reference()) owned.push_back(e.name);
   const std::vector<std::string_view> names(owned.begin(), owned.end());

@@ -93,6 +93,9 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->group(further_options);
+  // For a session, whose text stands in a file that nobody is to see.
+  app.add_option("--shown-as", arguments->shown_as)->group("");
+  app.add_option("--seen-from", arguments->folder)->group("");
   const lang::Limits defaults;
   add_limit(app, "--max-steps", "N", options.limits.steps, 1000,
             fmt::format("steps that evaluation may take ({})", human(static_cast<double>(defaults.steps))));
@@ -105,7 +108,10 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
   return arguments;
 }
 
-std::string shown_name(const SceneArguments& arguments) { return arguments.path == "-" ? "<stdin>" : arguments.path; }
+std::string shown_name(const SceneArguments& arguments) {
+  if (!arguments.shown_as.empty()) return arguments.shown_as;
+  return arguments.path == "-" ? "<stdin>" : arguments.path;
+}
 
 std::string read_text(const SceneArguments& arguments) {
   return arguments.path == "-" ? read_standard_input() : read_file(arguments.path);
@@ -125,8 +131,10 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 lang::Loaded load_in_silence(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
-  lang::Loaded loaded = arguments.path == "-" ? lang::load_text(read_standard_input(), shown_name(arguments), ".", options)
-                                              : load_named(arguments.path, options);
+  const bool is_text_alone = arguments.path == "-" || !arguments.folder.empty();
+  const std::string folder = arguments.folder.empty() ? "." : arguments.folder;
+  lang::Loaded loaded = is_text_alone ? lang::load_text(read_text(arguments), shown_name(arguments), folder, options)
+                                      : load_named(arguments.path, options);
   throw_if_stopped();
   return loaded;
 }

@@ -17,6 +17,8 @@ namespace rt::tools {
 /// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --quiet and --diagnostics.
 struct SceneArguments {
   std::string path; ///< "-" is standard input
+  std::string shown_as; ///< in the place of the path, where not empty
+  std::string folder;   ///< what includes start from, where not empty
   std::vector<std::string> defines;
   lang::LoadOptions options; ///< without the defines
   bool is_quiet = false;

@@ -27,6 +27,7 @@ namespace {
 using rt::lang::Session;
 
 constexpr int objects = 100'000;
+constexpr int unlike_statements = 10'000;
 constexpr rt::scene::Resolution preview_size{160, 120};
 
 // Wall time, and that of all threads on a processor: on a machine that does other things too only the latter says much.
@@ -53,10 +54,19 @@ std::vector<rt::Part> parts_of(Session& session) {
   return parts;
 }
 
-void preview(Session& session, rt::CompileCache& cache, rt::scene::Resolution size) {
+// What the parts of a change take.
+struct Parts {
+  std::vector<Times> evaluating, building, tracing;
+};
+
+void preview(Session& session, rt::CompileCache& cache, rt::scene::Resolution size, Parts& parts) {
+  const Stopwatch build;
   const rt::scene::Scene& scene = session.scene();
   const rt::Traceable traceable(scene, parts_of(session), cache);
+  parts.building.push_back(build.elapsed());
+  const Stopwatch trace;
   rt::render(traceable, {scene.camera, size, 1}, {});
+  parts.tracing.push_back(trace.elapsed());
 }
 
 Times median(const std::vector<Times>& all) {
@@ -69,13 +79,26 @@ Times median(const std::vector<Times>& all) {
   return {middle(&Times::wall), middle(&Times::cpu)};
 }
 
-// One `for`, or as many lines.
-std::string make_scene(bool as_loop) {
-  std::string text = "camera { at: [50, 60, 130], look_at: [50, 0, 45], fov: 50 }\nsun { direction: [-1, -2, -1] }\n";
-  if (as_loop)
-    return text + fmt::format("for i in 0..<{} {{ sphere {{ at: [i % 100, (i / 100) % 10, i / 1000], radius: 0.3 }} }}\n", objects);
+constexpr const char* view = "camera { at: [50, 60, 130], look_at: [50, 0, 45], fov: 50 }\nsun { direction: [-1, -2, -1] }\n";
+
+std::string one_loop() {
+  return fmt::format("for i in 0..<{} {{ sphere {{ at: [i % 100, (i / 100) % 10, i / 1000], radius: 0.3 }} }}\n", objects);
+}
+
+std::string many_lines() {
+  std::string text;
   for (int i = 0; i < objects; ++i)
     text += fmt::format("sphere {{ at: [{}, {}, {}], radius: 0.3 }}\n", i % 100, i / 100 % 10, i / 1000);
+  return text;
+}
+
+// Names, and things of several kinds that use them.
+std::string unlike_lines() {
+  std::string text;
+  for (int i = 0; i < unlike_statements / 4; ++i)
+    text += fmt::format("r{0} = {1}\nball{0} = sphere {{ radius: r{0}, at: [{2}, 0, {3}] }}\nball{0}\n"
+                        "box {{ size: r{0}, at: [{2}, 1, {3}] }}\n",
+                        i, 0.2 + 0.0001 * i, i % 100, i / 100);
   return text;
 }
 
@@ -104,26 +127,30 @@ Times start_afresh(const std::string& path) {
   return {std::chrono::duration<double, std::milli>(wall).count(), milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime)};
 }
 
-void measure_change(const std::string& name, const std::string& path) {
+void measure_change(const std::string& name, const std::string& path, std::uint64_t count) {
   std::vector<Times> fresh, changed;
   for (int i = 0; i < 5; ++i) fresh.push_back(start_afresh(path));
   Session session(".");
   session.load(path);
   rt::CompileCache cache(0);
-  preview(session, cache, preview_size);
+  Parts first, parts;
+  preview(session, cache, preview_size, first);
   const auto counters = session.counters();
   const auto counts = cache.counts();
   constexpr int changes = 15;
   for (int i = 0; i < changes; ++i) {
     const Stopwatch watch;
     session.submit(fmt::format("sphere {{ at: [{}, 12, 50], radius: 3 }}", 40 + i));
-    preview(session, cache, preview_size);
+    parts.evaluating.push_back(watch.elapsed());
+    preview(session, cache, preview_size, parts);
     changed.push_back(watch.elapsed());
   }
   const Times before = median(fresh), after = median(changed);
   fmt::print("{:<20} a fresh start {:.0f} ms (cpu {:.0f}), one sphere more {:.1f} ms (cpu {:.1f}): {:.1f} times faster (cpu {:.1f})\n",
              name, before.wall, before.cpu, after.wall, after.cpu, before.wall / after.wall, before.cpu / after.cpu);
-  fmt::print("{:<20} of {} objects evaluated again {}, rebuilt {}, in {} changes\n", "", objects,
+  fmt::print("{:<20} cpu of it: session {:.2f} ms, building {:.2f} ms, tracing {:.2f} ms\n", "", median(parts.evaluating).cpu,
+             median(parts.building).cpu, median(parts.tracing).cpu);
+  fmt::print("{:<20} of {} objects evaluated again {}, rebuilt {}, in {} changes\n", "", count,
              session.counters().objects_evaluated - counters.objects_evaluated - changes,
              cache.counts().objects_built - counts.objects_built, changes);
 }
@@ -146,13 +173,15 @@ void measure_preview(const std::string& path) {
 }
 
 void run(int count, char** arguments) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  for (const bool as_loop : {true, false}) {
-    const std::string path = (folder / "rtlang_bench_session.rtl").string();
-    std::ofstream(path) << make_scene(as_loop);
-    measure_change(as_loop ? "one `for` of 100,000" : "100,000 lines", path);
+  const auto measure = [](const std::string& name, const std::string& text, std::uint64_t objects_of_text) {
+    const std::string path = (std::filesystem::temp_directory_path() / "rtlang_bench_session.rtl").string();
+    std::ofstream(path) << view << text;
+    measure_change(name, path, objects_of_text);
     std::filesystem::remove(path);
-  }
+  };
+  measure("one `for` of 100,000", one_loop(), objects);
+  measure("100,000 lines", many_lines(), objects);
+  measure("10,000 unlike lines", unlike_lines(), unlike_statements / 2);
   measure_preview(count > 1 ? arguments[1] : "examples/still_life.rtl");
 }
 

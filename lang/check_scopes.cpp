@@ -127,6 +127,7 @@ Known Checker::resolve_global(Unit& unit, NodeId node) {
 std::vector<std::string_view> Checker::visible_names() const {
   std::vector<std::string_view> names;
   for (const Binding& binding : bindings_) names.push_back(name(binding.name));
+  if (add_further_names_) (*add_further_names_)(names);
   for (const Noun& noun : program_.nouns.all()) names.push_back(noun.name);
   for (const Builtin* builtin : all_builtins()) names.push_back(builtin->name);
   for (const Constant& constant : constants()) names.push_back(constant.name);

@@ -3,7 +3,8 @@
 namespace rt::lang {
 
 // Functions are visible throughout, so all of them are declared first; values from their statement on.
-void Checker::check_session(std::span<TopItem> items, std::uint32_t& slots) {
+void Checker::check_session(std::span<TopItem> items, std::uint32_t& slots, const AddNames& add_further_names) {
+  add_further_names_ = &add_further_names;
   is_main_ = true;
   declare_library();
   begin_activation();

@@ -4,6 +4,7 @@
 #include "lang/check.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,7 +66,9 @@ public:
   void check_module(ModuleInfo& module);
   /// The statements of a session, in order. `slots` says how many of the session's frame are taken already, and then how
   /// many are.
-  void check_session(std::span<TopItem> items, std::uint32_t& slots);
+  /// Names of statements that are not among them are known all the same, as far as suggestions go: `add_further_names`.
+  using AddNames = std::function<void(std::vector<std::string_view>&)>;
+  void check_session(std::span<TopItem> items, std::uint32_t& slots, const AddNames& add_further_names);
 
 private:
   /// A call's worth of slots.
@@ -198,6 +201,7 @@ private:
   bool is_library_ = false;              // the scene places nothing: it is for others to use
   bool reads_part_ = false;              // the name that is looked up next stands before a dot
   bool is_define_ = false;
+  const AddNames* add_further_names_ = nullptr;
   TopItem* top_item_ = nullptr;          // in a session: the statement being read
   const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
 };

@@ -401,8 +401,11 @@ std::string Session::formatted() const {
 }
 
 std::string Session::diff(std::size_t from, std::size_t to) const {
-  const Document& before = *state_->documents[from].document;
-  const Document& after = *state_->documents[to].document;
+  const auto statements_at = [this](std::size_t version) {
+    const Document& document = *state_->documents[version].document;
+    return std::vector<StatementRef>(document.begin(), document.end());
+  };
+  const std::vector<StatementRef> before = statements_at(from), after = statements_at(to);
   std::set<std::string_view> texts_before, texts_after;
   for (const StatementRef& statement : before) texts_before.insert(statement->text);
   for (const StatementRef& statement : after) texts_after.insert(statement->text);
@@ -443,10 +446,15 @@ namespace {
 
 const TopName* find_name(const Document& document, Symbol symbol) {
   if (symbol == no_symbol) return nullptr;
-  for (auto statement = document.rbegin(); statement != document.rend(); ++statement)
-    for (const TopName& name : (*statement)->names)
-      if (name.name == symbol) return &name;
-  return nullptr;
+  const TopName* found = nullptr; // the last one counts
+  for (const auto& chunk : document.chunks()) {
+    for (std::size_t i = 0; i < chunk->statements.size(); ++i) {
+      if ((chunk->names[i] & symbol_bit(symbol)) == 0) continue;
+      for (const TopName& name : chunk->statements[i]->names)
+        if (name.name == symbol) found = &name;
+    }
+  }
+  return found;
 }
 
 } // namespace

@@ -58,10 +58,25 @@ SessionCore::SessionCore(std::string folder, LoadOptions load_options)
   });
 }
 
-SessionChange::SessionChange(SessionCore& core, const Document& document) : core_(core) {
+SessionChange::SessionChange(SessionCore& core, const Document& document) : core_(core), old_(document) {
   core.evaluator.begin_change();
   entries_.reserve(document.size() + 1);
-  for (const StatementRef& statement : document) entries_.push_back({statement, nullptr});
+  for (std::uint32_t c = 0; c < old_.chunks().size(); ++c) {
+    const Document::Chunk& chunk = *old_.chunks()[c];
+    for (std::size_t i = 0; i < chunk.statements.size(); ++i)
+      entries_.push_back({&chunk.statements[i], nullptr, c, chunk.traits[i]});
+  }
+}
+
+std::uint64_t SessionChange::declared_bits(const Entry& entry) const {
+  if (!entry.fresh) return chunk_of(entry).names[place_in_chunk(entry)];
+  std::uint64_t bits = entry.fresh->declares() ? symbol_bit(entry.fresh->key) : 0;
+  for (const TopName& name : entry.fresh->names) bits |= symbol_bit(name.name);
+  return bits;
+}
+
+std::uint64_t SessionChange::used_bits(const Entry& entry) const {
+  return entry.fresh ? ~std::uint64_t{0} : chunk_of(entry).uses[place_in_chunk(entry)];
 }
 
 Unit& SessionChange::add_unit(std::string text, const TextOrigin& origin, bool folds_repeats, bool is_typed) {
@@ -135,12 +150,13 @@ SessionChange::Draft SessionChange::parse_again(const Statement& old, std::strin
 
 SessionChange::Draft SessionChange::redraft(const Statement& old) { return parse_again(old, old.text); }
 
-void SessionChange::append(Draft draft) { entries_.push_back({nullptr, std::move(draft)}); }
+void SessionChange::append(Draft draft) { entries_.push_back({.fresh = std::move(draft)}); }
 
 void SessionChange::clear() { entries_.clear(); }
 
 std::optional<std::size_t> SessionChange::find(Symbol name) const {
   for (std::size_t i = entries_.size(); i-- > 0;) {
+    if ((declared_bits(entries_[i]) & symbol_bit(name)) == 0) continue;
     const Statement& statement = entries_[i].get();
     if (statement.declares() && statement.key == name) return i;
   }
@@ -157,6 +173,7 @@ std::vector<std::size_t> SessionChange::users(std::size_t at) const {
   std::vector<std::size_t> found;
   for (const TopName& name : entries_[at].get().names) {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if ((used_bits(entries_[i]) & symbol_bit(name.name)) == 0) continue;
       const std::vector<Symbol>& uses = entries_[i].get().uses;
       if (i != at && std::binary_search(uses.begin(), uses.end(), name.name)) found.push_back(i);
     }
@@ -172,23 +189,26 @@ void SessionChange::place(Draft draft) {
     old = find(draft->key);
   } else if (draft->kind == Kind::property) {
     for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].get().kind == Kind::property && entries_[i].get().key == draft->key) old = i;
+      if ((entries_[i].traits() & trait_sets_property) != 0 && entries_[i].get().key == draft->key) old = i;
   }
   if (!old) return append(std::move(draft));
   replaced_.emplace_back(core_.program.symbols.name(draft->key));
   replace(*old, std::move(draft));
 }
 
-bool SessionChange::mentions(const Statement& statement, Symbol name) const {
+// Sorted.
+std::vector<Symbol> SessionChange::mentioned(const Statement& statement) const {
+  std::vector<Symbol> symbols;
   const Ast& ast = statement.unit->ast;
   for (const NodeId item : statement.nodes) {
     const Node& whole = ast[item];
     for (const Node& node : ast.nodes) {
       const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
-      if (is_inside && node.kind == Kind::name && Symbol{node.a} == name) return true;
+      if (is_inside && node.kind == Kind::name) symbols.push_back(Symbol{node.a});
     }
   }
-  return false;
+  sort_unique(symbols);
+  return symbols;
 }
 
 // What the new statement needs must stand before it; where that came later than the old one, it moves there.
@@ -196,24 +216,29 @@ void SessionChange::replace(std::size_t at, Draft draft) {
   const Statement& old = entries_[at].get();
   draft->id = old.id;
   mark_changed(old, at);
+  const std::vector<Symbol> symbols = mentioned(*draft);
+  std::uint64_t bits = 0;
+  for (const Symbol symbol : symbols) bits |= symbol_bit(symbol);
   std::size_t needed = at;
   for (std::size_t i = at + 1; i < entries_.size(); ++i) {
+    if ((entries_[i].traits() & trait_declares) == 0 || (declared_bits(entries_[i]) & bits) == 0) continue;
     const Statement& later = entries_[i].get();
-    if (!later.declares() || (draft->is_function() && later.is_function())) continue;
-    if (mentions(*draft, later.key)) needed = i;
+    if (draft->is_function() && later.is_function()) continue;
+    if (std::binary_search(symbols.begin(), symbols.end(), later.key)) needed = i;
   }
   if (needed > at) return move_behind(at, needed, std::move(draft));
-  entries_[at] = {nullptr, std::move(draft)};
+  entries_[at] = {.fresh = std::move(draft)};
 }
 
 void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft) {
+  const std::vector<Symbol> symbols = mentioned(*draft);
   std::set<Symbol> moved_names;
   for (const TopName& name : entries_[at].get().names) moved_names.insert(name.name);
   std::vector<Entry> before(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(at)), moved;
   for (std::size_t i = at + 1; i <= needed; ++i) {
     const Statement& statement = entries_[i].get();
     const bool moves = std::any_of(statement.uses.begin(), statement.uses.end(), [&](Symbol s) { return moved_names.contains(s); });
-    if (moves && statement.declares() && mentions(*draft, statement.key)) {
+    if (moves && statement.declares() && std::binary_search(symbols.begin(), symbols.end(), statement.key)) {
       const std::string_view name = core_.program.symbols.name(draft->key), other = core_.program.symbols.name(statement.key);
       if (Diagnostic* d = core_.report.error("E0203", draft->unit->ast.span(draft->nodes.front()))) {
         d->message = fmt::format("`{}` would need itself: `{}` is made of it", name, other);
@@ -224,7 +249,7 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
       if (moves) moved_names.insert(name.name);
     (moves ? moved : before).push_back(entries_[i]);
   }
-  before.push_back({nullptr, std::move(draft)});
+  before.push_back({.fresh = std::move(draft)});
   before.insert(before.end(), moved.begin(), moved.end());
   before.insert(before.end(), entries_.begin() + static_cast<std::ptrdiff_t>(needed) + 1, entries_.end());
   entries_ = std::move(before);
@@ -237,6 +262,7 @@ void SessionChange::erase(std::size_t at) {
 
 void SessionChange::mark_changed(const Statement& statement, std::size_t position) {
   const auto mark = [&](Symbol name, bool is_function) {
+    changed_bits_ |= symbol_bit(name);
     const auto [found, is_new] = changed_.try_emplace(static_cast<std::uint32_t>(name), ChangedName{is_function, position});
     found->second.is_function |= is_function;
     found->second.position = std::min(found->second.position, position);
@@ -265,11 +291,13 @@ void SessionChange::renew_dependents() {
     goes_on = false;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       Entry& entry = entries_[i];
-      if (entry.fresh || !is_affected(*entry.done, i)) continue;
-      entry.fresh = redraft(*entry.done);
+      if (entry.fresh || (used_bits(entry) & changed_bits_) == 0) continue;
+      const Statement& done = **entry.done;
+      if (!is_affected(done, i)) continue;
+      entry.fresh = redraft(done);
       if (!entry.fresh) return; // cannot be: it was read before
-      mark_changed(*entry.done, i);
-      renewed.push_back(shortened(entry.done->text));
+      mark_changed(done, i);
+      renewed.push_back(shortened(done.text));
       goes_on = true;
     }
   }
@@ -292,29 +320,84 @@ std::optional<Document> SessionChange::finish() {
   settle_cameras();
   check_scene_properties();
   if (core_.report.has_errors()) return std::nullopt;
-  Document document;
-  document.reserve(entries_.size());
-  for (Entry& entry : entries_) document.push_back(entry.fresh ? StatementRef(std::move(entry.fresh)) : std::move(entry.done));
-  return document;
+  return assemble();
 }
 
+// Chunks in which nothing has changed are taken over as they are.
+Document SessionChange::assemble() {
+  DocumentBuilder builder;
+  for (std::size_t i = 0; i < entries_.size();) {
+    Entry& entry = entries_[i];
+    if (entry.fresh) {
+      builder.add(StatementRef(std::move(entry.fresh)));
+      ++i;
+      continue;
+    }
+    const std::vector<StatementRef>& statements = chunk_of(entry).statements;
+    const bool may_share = entry.done == statements.data() && statements.size() >= DocumentBuilder::least_worth_sharing;
+    std::size_t same = 0;
+    while (may_share && same < statements.size() && i + same < entries_.size() && !entries_[i + same].fresh &&
+           entries_[i + same].done == entry.done + same)
+      ++same;
+    if (may_share && same == statements.size()) {
+      builder.add(old_.chunks()[entry.chunk]);
+      i += same;
+    } else {
+      builder.add(*entry.done);
+      ++i;
+    }
+  }
+  return builder.finish();
+}
+
+// The symbols in the texts that are checked anew; nothing where a file is included, whose text is not known yet.
+std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() const {
+  Mentioned mentioned{std::vector<bool>(core_.program.symbols.size())};
+  const Unit* last = nullptr;
+  for (const Entry& entry : entries_) {
+    if (!entry.fresh || entry.fresh->is_comment() || entry.fresh->unit == last) continue;
+    last = entry.fresh->unit;
+    for (const Node& node : last->ast.nodes) {
+      if (node.kind == Kind::include) return std::nullopt;
+      if (node.kind != Kind::name) continue;
+      mentioned.symbols[node.a] = true;
+      mentioned.bits |= symbol_bit(Symbol{node.a});
+    }
+  }
+  return mentioned;
+}
+
+// Of the statements that were checked before only those matter whose names the others mention.
 bool SessionChange::check() {
+  const std::optional<Mentioned> mentioned = mentioned_by_fresh();
+  const auto matters = [&](const Entry& entry) {
+    if (!mentioned) return true;
+    if ((declared_bits(entry) & mentioned->bits) == 0) return false;
+    const std::vector<TopName>& names = (*entry.done)->names;
+    return std::any_of(names.begin(), names.end(),
+                       [&](const TopName& name) { return mentioned->symbols[static_cast<std::size_t>(name.name)]; });
+  };
   std::vector<TopItem> items;
   std::vector<Statement*> fresh; // of the items; null for those checked before
   for (const Entry& entry : entries_) {
-    const Statement& statement = entry.get();
-    if (statement.is_comment() || (!entry.fresh && statement.names.empty())) continue;
-    TopItem& item = items.emplace_back();
-    fresh.push_back(entry.fresh.get());
     if (!entry.fresh) {
-      item.names = statement.names;
-      continue;
+      if (!matters(entry)) continue;
+      items.emplace_back().names = (*entry.done)->names;
+      fresh.push_back(nullptr);
+    } else if (!entry.fresh->is_comment()) {
+      TopItem& item = items.emplace_back();
+      item.unit = entry.fresh->unit;
+      item.nodes = entry.fresh->nodes;
+      fresh.push_back(entry.fresh.get());
     }
-    item.unit = statement.unit;
-    item.nodes = statement.nodes;
   }
+  const auto further_names = [this](std::vector<std::string_view>& names) {
+    for (const Entry& entry : entries_)
+      if (!entry.fresh)
+        for (const TopName& name : (*entry.done)->names) names.push_back(core_.program.symbols.name(name.name));
+  };
   std::vector<std::string> open_files;
-  Checker(core_.program, core_.files, core_.report, open_files).check_session(items, core_.slots);
+  Checker(core_.program, core_.files, core_.report, open_files).check_session(items, core_.slots, further_names);
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!fresh[i]) continue;
     fresh[i]->names = std::move(items[i].names);
@@ -368,11 +451,11 @@ void SessionChange::take_out_printed() {
 void SessionChange::settle_cameras() {
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < entries_.size(); ++i)
-    if (entries_[i].get().made.camera && (!last || entries_[i].fresh)) last = i;
+    if ((entries_[i].traits() & trait_camera) != 0 && (!last || entries_[i].fresh)) last = i;
   if (!last) return;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < entries_.size(); ++i)
-    if (i != *last && entries_[i].get().made.camera) others.push_back(i);
+    if (i != *last && (entries_[i].traits() & trait_camera) != 0) others.push_back(i);
   for (auto i = others.rbegin(); i != others.rend(); ++i) {
     const Statement& other = entries_[*i].get();
     const bool is_alone = other.may_print || other.made.objects.empty();
@@ -393,6 +476,7 @@ void SessionChange::check_scene_properties() {
   const Noun& noun = core_.program.nouns.scene();
   std::vector<const PropertyValue*> written(noun.properties.size());
   for (const Entry& entry : entries_) {
+    if ((entry.traits() & trait_properties) == 0) continue;
     for (const PropertyValue& p : entry.get().made.properties) {
       if (p.value.is_poison()) continue;
       const Property& property = noun.properties[p.id];

@@ -2,7 +2,7 @@
 
 #include "lang/files.hpp"
 #include "lang/session.hpp"
-#include "lang/session_statement.hpp"
+#include "lang/session_document.hpp"
 
 #include <memory>
 #include <optional>
@@ -64,33 +64,52 @@ public:
 
 private:
   struct Entry {
-    StatementRef done;
-    Draft fresh; // set: `done` is out of date
-    const Statement& get() const { return fresh ? *fresh : *done; }
+    const StatementRef* done = nullptr; // in the document that the change began with
+    Draft fresh;                        // set: `done` is out of date
+    std::uint32_t chunk = 0;            // of that document
+    std::uint8_t done_traits = 0;
+    const Statement& get() const { return fresh ? *fresh : **done; }
+    std::uint8_t traits() const { return fresh ? traits_of(*fresh) : done_traits; }
   };
   struct ChangedName {
     bool is_function;
     std::size_t position;
   };
 
+  const Document::Chunk& chunk_of(const Entry& entry) const { return *old_.chunks()[entry.chunk]; }
+  std::size_t place_in_chunk(const Entry& entry) const {
+    return static_cast<std::size_t>(entry.done - chunk_of(entry).statements.data());
+  }
+  // Sets of symbols that may seem to hold more than they do.
+  std::uint64_t declared_bits(const Entry& entry) const;
+  std::uint64_t used_bits(const Entry& entry) const;
+
   Draft make_draft(Unit& unit, NodeId node, const std::string& text, const TextOrigin& origin) const;
   Draft redraft(const Statement& old);
   Unit& add_unit(std::string text, const TextOrigin& origin, bool folds_repeats, bool is_typed);
-  bool mentions(const Statement& statement, Symbol name) const;
+  std::vector<Symbol> mentioned(const Statement& statement) const;
   void move_behind(std::size_t at, std::size_t needed, Draft draft);
   void mark_changed(const Statement& statement, std::size_t position);
   bool is_affected(const Statement& statement, std::size_t position) const;
   void renew_dependents();
   void tell_dependents(const std::vector<std::string>& renewed);
   bool check();
+  struct Mentioned {
+    std::vector<bool> symbols;
+    std::uint64_t bits = 0;
+  };
+  std::optional<Mentioned> mentioned_by_fresh() const;
   bool evaluate();
   void take_out_printed();
   void settle_cameras();
   void check_scene_properties();
+  Document assemble();
 
   SessionCore& core_;
+  Document old_;
   std::vector<Entry> entries_;
   std::unordered_map<std::uint32_t, ChangedName> changed_; // by symbol
+  std::uint64_t changed_bits_ = 0;                         // its keys, as a set that may seem to hold more
   std::vector<std::string> replaced_;                      // names, for the messages
 };
 

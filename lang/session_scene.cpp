@@ -5,11 +5,21 @@
 #include "lang/session_text.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
+
+template <class F>
+void for_each_with(const Document& document, int traits, F&& f) {
+  for (const auto& chunk : document.chunks()) {
+    if ((chunk->all_traits & traits) == 0) continue;
+    for (std::size_t i = 0; i < chunk->statements.size(); ++i)
+      if ((chunk->traits[i] & traits) != 0) f(*chunk->statements[i]);
+  }
+}
 
 std::string text(const Vec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
 
@@ -19,10 +29,12 @@ void SessionScene::show(const Document& document) {
   scene::Scene& scene = evaluator_.scene();
   std::size_t kept = 0;
   std::vector<const Statement*> further;
-  for (const StatementRef& statement : document) {
-    if (statement->made.objects.empty()) continue;
-    if (further.empty() && kept < placed_.size() && placed_[kept].stamp == statement->stamp) ++kept;
-    else further.push_back(statement.get());
+  for (const auto& chunk : document.chunks()) {
+    for (std::size_t i = 0; i < chunk->statements.size(); ++i) {
+      if ((chunk->traits[i] & trait_objects) == 0) continue;
+      if (further.empty() && kept < placed_.size() && placed_[kept].stamp == chunk->stamps[i]) ++kept;
+      else further.push_back(chunk->statements[i].get());
+    }
   }
   placed_.resize(kept);
   scene.objects.resize(kept == 0 ? 0 : placed_.back().end);
@@ -45,8 +57,8 @@ void SessionScene::show_settings(const Document& document) {
   scene.lights.clear();
   bool has_camera = false, has_ambient = false;
   const Noun& noun = program_.nouns.scene();
-  for (const StatementRef& statement : document) {
-    const Made& made = statement->made;
+  for_each_with(document, trait_lights | trait_camera | trait_properties, [&](const Statement& statement) {
+    const Made& made = statement.made;
     scene.lights.insert(scene.lights.end(), made.lights.begin(), made.lights.end());
     if (made.camera) {
       scene.camera = *made.camera;
@@ -56,7 +68,7 @@ void SessionScene::show_settings(const Document& document) {
       noun.properties[p.id].field->set(&scene, evaluator_.scene_value(p));
       has_ambient = has_ambient || noun.properties[p.id].name == "ambient";
     }
-  }
+  });
   for (std::size_t i = scene.files.size(); i < program_.sources.size(); ++i)
     scene.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   assume(document, has_camera, has_ambient);
@@ -73,7 +85,7 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
   };
   if (!has_camera) {
     Box3 box;
-    for (const StatementRef& statement : document) box.extend(statement->finite_box);
+    for (const auto& chunk : document.chunks()) box.extend(chunk->finite_box);
     scene.camera = framing_camera(box, scene.size);
     note("N0001", "there is no camera: " + describe_camera(scene.camera));
   }
@@ -83,29 +95,51 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
   }
 }
 
-// Where a stretch ends depends on what is in it alone, so that it is found again when something else has changed. Ends are
-// sought once there are enough objects, and come by often enough.
-std::vector<SceneStretch> SessionScene::stretches() const {
-  constexpr std::uint32_t enough = 8192;
-  std::vector<SceneStretch> found;
-  SceneStretch stretch;
-  Hasher hasher;
-  for (const Placed& placed : placed_) {
-    const bool is_large = placed.end - placed.begin >= enough / 4;
-    if (is_large) {
-      found.push_back({placed.begin, placed.end, Hasher().add(placed.stamp).value()});
-      stretch.begin = placed.end;
+namespace {
+
+// Cuts what statements placed into stretches. Where one ends depends on what is in it alone, so that it is found again when
+// something else has changed: ends are sought once there are enough objects, and come by often enough. What is left behind
+// the last end is cut into shorter ones, so that little is outside of all of them.
+class Cutter {
+public:
+  template <class Placed>
+  void cut(std::span<const Placed> placed, std::uint32_t enough) {
+    Hasher hasher;
+    std::size_t first = 0; // of the stretch at hand
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      if (placed[i].end - placed[i].begin >= enough / 4) { // is one by itself
+        leave(placed.subspan(first, i - first), enough);
+        found.push_back({placed[i].begin, placed[i].end, Hasher().add(placed[i].stamp).value()});
+        first = i + 1;
+        hasher = {};
+        continue;
+      }
+      hasher.add(placed[i].stamp);
+      const bool is_enough = placed[i].end - placed[first].begin >= enough;
+      if (!is_enough || Hasher().add(placed[i].stamp).value() % 8 != 0) continue;
+      found.push_back({placed[first].begin, placed[i].end, hasher.value()});
+      first = i + 1;
       hasher = {};
-      continue;
     }
-    hasher.add(placed.stamp);
-    const bool may_end = Hasher().add(placed.stamp).value() % 8 == 0;
-    if (!may_end || placed.end - stretch.begin < enough) continue;
-    found.push_back({stretch.begin, placed.end, hasher.value()});
-    stretch.begin = placed.end;
-    hasher = {};
+    leave(placed.subspan(first), enough);
   }
-  return found;
+
+  std::vector<SceneStretch> found;
+
+private:
+  template <class Placed>
+  void leave(std::span<const Placed> placed, std::uint32_t enough) {
+    constexpr std::uint32_t least = 128;
+    if (!placed.empty() && enough / 8 >= least) cut(placed, enough / 8);
+  }
+};
+
+} // namespace
+
+std::vector<SceneStretch> SessionScene::stretches() const {
+  Cutter cutter;
+  cutter.cut(std::span<const Placed>(placed_), 8192);
+  return std::move(cutter.found);
 }
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lang/session.hpp"
-#include "lang/session_statement.hpp"
+#include "lang/session_document.hpp"
 
 #include <vector>
 

@@ -47,6 +47,5 @@ struct Statement {
 };
 
 using StatementRef = std::shared_ptr<const Statement>;
-using Document = std::vector<StatementRef>;
 
 } // namespace rt::lang

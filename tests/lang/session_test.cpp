@@ -532,3 +532,70 @@ TEST_CASE("session: the formatted document is laid out anew, with its comments")
   CHECK(talk.session.formatted() == "// a ball\nball = sphere { radius: 2, at: [0, 1, 0] } // round\nball\nfor i in 0..<3 {\n"
                                     "  box { size: i + 1 } // one of three\n}\n// the end\n");
 }
+
+TEST_CASE("session: a long document of unlike statements is what its text says after any change") {
+  std::string text;
+  for (int i = 0; i < 500; ++i)
+    text += "r" + std::to_string(i) + " = 0.1 + " + std::to_string(i) + " / 5000\nsphere { radius: r" + std::to_string(i) +
+            ", at: [" + std::to_string(i % 25) + ", " + std::to_string(i / 25) + ", 0] }\n";
+  const Folder folder;
+  Talk talk;
+  REQUIRE(talk.session.load(folder.write("long.rtl", text)).is_accepted);
+  const auto check = [&talk] {
+    const rt::lang::Loaded loaded = rt::lang::load_text(talk.session.text(), "document", ".", {});
+    REQUIRE(loaded.scene);
+    CHECK(loaded.scene->objects.size() == talk.session.scene().objects.size());
+    CHECK(are_equal(picture(*loaded.scene), picture(talk.session.scene())));
+  };
+  const auto evaluated = [&talk] { return talk.session.counters().statements_evaluated; };
+  std::uint64_t before = evaluated();
+  talk.say("r250 = 0.9");
+  CHECK(evaluated() == before + 2); // itself, and what uses it
+  check();
+  talk.say("box { size: r499 }");
+  before = evaluated();
+  talk.say(".move(z: 2)");
+  CHECK(evaluated() == before + 1);
+  talk.say("r3 = r400 * 2"); // moves behind what it needs now
+  check();
+  talk.say("sphere {}");
+  REQUIRE(talk.session.undo());
+  REQUIRE(talk.session.undo());
+  CHECK(talk.session.text().find("\nr3 = 0.1 + 3 / 5000\n") != std::string::npos);
+  check();
+  talk.say("background: navy");
+  talk.say("camera { at: [12, 10, 30], look_at: [12, 10, 0] }");
+  talk.say("camera { at: [12, 10, 40], look_at: [12, 10, 0] }");
+  CHECK(talk.session.scene().camera.at.z == 40);
+  check();
+  const SessionResult refused = talk.refuse("sphere { radius: r0250 }");
+  CHECK(refused.diagnostics.front().label.find("did you mean `r") != std::string::npos);
+  CHECK(talk.session.diff(0, talk.session.version()).find("+ r7 = ") != std::string::npos);
+}
+
+TEST_CASE("session: most of a scene of many unlike things stays in stretches that are kept") {
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += "n" + std::to_string(i) + " = sphere { radius: 0.1 }\nn" + std::to_string(i) + "\n";
+  const Folder folder;
+  Talk talk;
+  REQUIRE(talk.session.load(folder.write("many.rtl", text)).is_accepted);
+  const auto before = talk.session.stretches();
+  const auto held = [](const std::vector<rt::lang::SceneStretch>& stretches) {
+    std::uint32_t sum = 0;
+    for (const auto& stretch : stretches) sum += stretch.end - stretch.begin;
+    return sum;
+  };
+  CHECK(held(before) > 5000 - 400);
+  talk.say("box {}");
+  const auto after = talk.session.stretches();
+  REQUIRE(after.size() == before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) CHECK(after[i].stamp == before[i].stamp);
+  // A change in the middle makes anew what it is in, and nothing else.
+  REQUIRE(talk.session.set("n1500.radius", "0.2").is_accepted);
+  const auto changed = talk.session.stretches();
+  std::uint32_t kept = 0;
+  for (const auto& stretch : changed)
+    for (const auto& old : before)
+      if (old.stamp == stretch.stamp) kept += stretch.end - stretch.begin;
+  CHECK(kept > 2500);
+}

@@ -52,7 +52,9 @@ bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::str
                                    shell.session().folder()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const InterruptScope interrupt;
-    return run_for_session(std::move(words)) == exit_fine;
+    const int result = run_for_session(std::move(words));
+    if (interrupt.stop()) return shell.fail("stopped");
+    return result == exit_fine;
   } catch (const std::system_error& error) {
     return shell.fail(error.what());
   }

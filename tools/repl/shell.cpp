@@ -149,6 +149,8 @@ bool Shell::recover() {
     if (!run(entry))
       return fail(fmt::format("the session goes on from what came before; all of it is in {}", session.path));
   std::filesystem::remove(session.path, error);
+  print(dim(fmt::format("{} {} brought back", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
+            output_.uses_color) + "\n");
   return true;
 }
 

@@ -1,5 +1,6 @@
 // `rtlang fmt`, end to end.
 
+#include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
 #include <filesystem>
@@ -134,6 +135,16 @@ TEST_CASE("fmt: through a symbolic link the file itself is rewritten") {
   CHECK(desk.run({"link.rtl"}).exit_code == 0);
   CHECK(fs::is_symlink(desk.folder / "link.rtl"));
   CHECK(desk.folder.read("a.rtl") == tidy);
+}
+
+TEST_CASE("fmt: the examples are laid out as it would lay them out") {
+  std::vector<std::string> arguments{"--check"};
+  for (const auto& entry : fs::recursive_directory_iterator(std::string(RTLANG_SOURCE_DIR) + "/examples"))
+    if (entry.path().extension() == ".rtl") arguments.push_back(entry.path().string());
+  REQUIRE(arguments.size() > 20);
+  const Outcome run = Desk().run(arguments);
+  CHECK(run.output == "");
+  CHECK(run.exit_code == 0);
 }
 
 TEST_CASE("fmt: without a file the command line is wrong") { CHECK(Desk().run({}).exit_code == 2); }

@@ -84,7 +84,11 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
   ::_exit(127);
 }
 
+// Before it becomes the program, the process has the handlers of this one.
 bool listens_to(pid_t process, int signal) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/" + std::to_string(process) + "/exe", error);
+  if (error || program == std::filesystem::read_symlink("/proc/self/exe", error)) return false;
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);)
     if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;

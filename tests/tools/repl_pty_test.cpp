@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include <unistd.h>
@@ -34,9 +35,10 @@ struct Home {
 
 class Terminal : public Pty {
 public:
-  explicit Terminal(const Home& home, std::vector<std::string> arguments = {})
+  explicit Terminal(const Home& home, std::vector<std::string> arguments = {}, int columns = 80, int rows = 24)
       : Pty(command(std::move(arguments)),
-            {{"XDG_STATE_HOME", home.path.string()}, {"TERM", "xterm-256color"}, {"NO_COLOR", "1"}, {"RTLANG_GRAPHICS", "blocks"}}) {
+            {{"XDG_STATE_HOME", home.path.string()}, {"TERM", "xterm-256color"}, {"NO_COLOR", "1"}, {"RTLANG_GRAPHICS", "blocks"}},
+            columns, rows) {
     REQUIRE(wait_for_cursor_row(prompt));
   }
   /// Types a line, and waits until the next one is asked for.
@@ -76,6 +78,25 @@ TEST_CASE("repl at a terminal: things are typed, values answered, and Ctrl-D end
   CHECK(terminal.shows("sphere  around [0, 0, 0]"));
   terminal.send(std::string(1, ctrl_d));
   CHECK(terminal.wait_for_end() == 0);
+}
+
+// The session that the page records: what follows `rtl> ` is typed, the rest is what is seen.
+TEST_CASE("repl at a terminal: the session in the README is what happens") {
+  std::ifstream file(std::string(RTLANG_SOURCE_DIR) + "/README.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t begin = page.find("```\nrtl> ") + 4;
+  std::string recorded = page.substr(begin, page.find("```", begin) - begin);
+  REQUIRE(recorded.size() > 500);
+  // It saves its scene; not here.
+  const Home home;
+  const std::size_t saved = recorded.find("rtl> :save still\nsaved as still.rtl\n");
+  REQUIRE(saved != std::string::npos);
+  recorded.replace(saved, std::string::npos, "rtl> :save " + home.file("still") + "\nsaved as " + home.file("still.rtl") + "\n");
+  Terminal terminal(home, {}, 120, 60);
+  std::istringstream lines(recorded);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("rtl> ")) terminal.say(line.substr(5));
+  CHECK_THAT(terminal.screen().text(), Catch::Contains(recorded));
 }
 
 TEST_CASE("repl at a terminal: a mistake is shown with its place, and the session goes on") {
@@ -320,6 +341,24 @@ TEST_CASE("repl at a terminal: pictures are shown, and previews follow changes")
   REQUIRE(terminal.wait_for_cursor_row(prompt));
   terminal.say("1 + 1");
   CHECK(terminal.shows("\n2\n"));
+}
+
+TEST_CASE("repl at a terminal: a key ends a preview that would take long") {
+  const Home home;
+  Terminal terminal(home);
+  // Hundreds of panes that mirror and let by: a single pixel takes minutes.
+  terminal.say("max_depth: 60");
+  terminal.say("pane = material { refract: 0.5, reflect: 0.5 }");
+  terminal.say(":auto on");
+  terminal.say("for i in 0..200 { plane { z: -i, material: pane } }");
+  const auto start = std::chrono::steady_clock::now();
+  terminal.say("1 + 1");
+  CHECK(terminal.shows("\n2\n"));
+  CHECK(std::chrono::steady_clock::now() - start < seconds(5));
+  terminal.send(":show\r");
+  REQUIRE_FALSE(terminal.wait_for("stopped", milliseconds(300)));
+  terminal.send(std::string(1, ctrl_c));
+  CHECK(terminal.shows("stopped"));
 }
 
 TEST_CASE("repl at a terminal: the window's size may change") {

@@ -83,7 +83,9 @@ TEST_CASE("session as a script: the reference, POV-Ray's format and the program'
 
 TEST_CASE("session as a script: what has a name is explained, also one's own") {
   const TestFolder folder;
-  CHECK(session(folder, "crate = box { size: 2 }\n:doc crate\n").output == "crate = box { size: 2 }\n  takes what `box` takes: see `:doc box`\n");
+  CHECK(session(folder, "def crate(planks = 3) { box {} }\n:doc crate\n").output ==
+        "def crate(planks = 3) { box {} }\n  takes at, casts_shadow, material, name, planks, rotate, scale, visible\n");
+  CHECK(session(folder, "n = 3\n:doc n\n").output == "n = 3\n");
   CHECK(session(folder, ":doc tomato\n").output == "tomato: the colour #ff6347\n");
   CHECK(session(folder, ":doc for\n").output.find("for x in 0..5") == 0);
   CHECK(session(folder, ":doc :show\n").output.find(":show") == 0);

@@ -132,7 +132,7 @@ bool load(Shell& shell, std::string_view arguments) {
   try {
     if (!shell.report(shell.session().load(words[0]))) return false;
   } catch (const std::system_error& error) {
-    return shell.fail(error.what());
+    return shell.fail(fmt::format("cannot read `{}`: {}", words[0], error.code().message()));
   }
   shell.became_saved(words[0]);
   return true;

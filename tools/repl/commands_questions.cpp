@@ -1,5 +1,4 @@
 #include "lang/css_colors.hpp"
-#include "lang/nouns.hpp"
 #include "lang/reference.hpp"
 #include "lang/suggest.hpp"
 #include "renderer/image/file.hpp"
@@ -17,6 +16,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rt::tools {
 namespace {
@@ -107,9 +107,9 @@ std::string describe_property(std::string_view name) {
 std::string describe_own(Shell& shell, std::string_view name) {
   const std::string text = shell.session().text_of(name);
   if (text.empty()) return "";
-  const lang::Noun* noun = shell.session().noun_of(name);
-  const bool is_more = noun != nullptr && noun->name != name;
-  return text + (is_more ? fmt::format("\n  takes what `{0}` takes: see `:doc {0}`\n", noun->name) : "\n");
+  const std::vector<std::string> properties = shell.session().properties_of(name);
+  if (properties.empty()) return text + "\n";
+  return fmt::format("{}\n  takes {}\n", text, fmt::join(properties, ", "));
 }
 
 std::string describe_color(const Shell& shell, std::string_view name) {

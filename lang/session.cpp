@@ -4,8 +4,9 @@
 #include "lang/format.hpp"
 #include "lang/session_change.hpp"
 #include "lang/session_scene.hpp"
+#include "lang/session_search.hpp"
+#include "lang/session_submission.hpp"
 #include "lang/session_text.hpp"
-#include "lang/suggest.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -89,15 +90,6 @@ std::string join_lines(const Document& document) {
   return text;
 }
 
-// The statement's things but the last, and the last.
-std::pair<std::string, std::string> split_last(SessionChange& change, const Statement& statement) {
-  const std::vector<SessionChange::Draft> parts = change.parse(statement.text, statement.origin, true);
-  if (parts.empty()) return {};
-  std::string head;
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i) head += (i == 0 ? "" : "\n") + parts[i]->text;
-  return {head, parts.back()->text};
-}
-
 } // namespace
 
 Session::Session(std::string folder, LoadOptions options)
@@ -106,111 +98,6 @@ Session::Session(std::string folder, LoadOptions options)
 }
 
 Session::~Session() = default;
-
-namespace {
-
-/// One input on its way into the document.
-class Submission {
-public:
-  Submission(SessionCore& core, SessionChange& change, std::uint64_t last_id) : core_(core), change_(change), last_id_(last_id) {}
-
-  void run(std::string_view text) {
-    const TextOrigin origin{fmt::format("input {}", ++core_.inputs), "", 1};
-    const std::vector<SessionChange::Draft> drafts = change_.parse(std::string(text), origin, true);
-    for (const SessionChange::Draft& draft : drafts) {
-      if (core_.report.has_errors()) return;
-      take(draft);
-    }
-  }
-
-  std::uint64_t last_id() const { return last_id_; }
-
-private:
-  void take(const SessionChange::Draft& draft) {
-    if (draft->is_comment()) return change_.append(draft);
-    const Ast& ast = draft->unit->ast;
-    const NodeId item = draft->nodes.front();
-    const bool is_thing = draft->kind == Kind::bind || (!draft->declares() && draft->kind != Kind::property && draft->kind != Kind::include);
-    if (is_thing && draft->kind != Kind::bind && draft->kind != Kind::for_ && draft->kind != Kind::if_ && edits_previous(ast, item))
-      return edit(draft, item);
-    if (draft->kind == Kind::bind) {
-      if (const SessionChange::Draft rewritten = without_itself(draft)) {
-        change_.place(rewritten);
-        last_id_ = rewritten->id;
-        return;
-      }
-      if (core_.report.has_errors()) return;
-    }
-    change_.place(draft);
-    if (is_thing) last_id_ = draft->id;
-  }
-
-  // `.move(x: 1)`: the text of the last thing goes on with it.
-  void edit(const SessionChange::Draft& draft, NodeId item) {
-    const auto at = change_.find_id(last_id_);
-    if (!at) {
-      if (Diagnostic* d = core_.report.error("E0216", draft->unit->ast.span(item))) {
-        d->message = "there is no thing before this line that it could change";
-        d->label = "a line that begins with `.` goes on with the one before it";
-      }
-      return;
-    }
-    const Statement& old = change_[*at];
-    std::string text = old.text;
-    const bool is_last_of_many = old.nodes.size() > 1;
-    if (is_last_of_many) {
-      const auto [head, last] = split_last(change_, old);
-      text = last;
-      if (const SessionChange::Draft first = change_.parse_again(old, head)) change_.replace(*at, first);
-    }
-    const std::string_view added = draft->text;
-    const TextOrigin origin{draft->origin.name, "", 1};
-    // Behind a comment it needs a line of its own.
-    const bool has_comment = text.find("//") != std::string::npos;
-    std::vector<SessionChange::Draft> made =
-        change_.parse(text + (has_comment ? "\n" : "") + std::string(added.substr(added.find('.'))), origin, true);
-    if (made.size() != 1) return;
-    change_.changes.push_back("now: " + shortened(made.front()->text));
-    if (is_last_of_many) change_.append(made.front());
-    else change_.replace(*at, made.front());
-    last_id_ = made.front()->id;
-  }
-
-  // `ball = ball { radius: 2 }` means the ball there was; the document says what that is.
-  SessionChange::Draft without_itself(const SessionChange::Draft& draft) {
-    const auto at = change_.find(draft->key);
-    if (!at || change_[*at].kind != Kind::bind) return nullptr;
-    const Ast& ast = draft->unit->ast;
-    const NodeId value = ast.bind_item(draft->nodes.front()).value;
-    const std::string_view source = core_.program.sources.file(ast.file).text;
-    const Statement& old = change_[*at];
-    const Ast& old_ast = old.unit->ast;
-    const NodeId old_value = old_ast.bind_item(old.nodes.front()).value;
-    const Kind kind = old_ast.kind(old_value);
-    std::string replacement(core_.program.sources.text(old_ast.span(old_value)));
-    const bool is_postfix = kind == Kind::name || kind == Kind::override_ || kind == Kind::call || kind == Kind::member ||
-                            kind == Kind::number || kind == Kind::numbers || kind == Kind::list || kind == Kind::color;
-    if (!is_postfix) replacement = "(" + replacement + ")";
-    const std::string rewritten = with_name_replaced(source, ast, value, draft->key, replacement);
-    if (rewritten == source) return nullptr;
-    // Of an input of several statements only this one.
-    const std::size_t growth = rewritten.size() - source.size();
-    const Node& whole = ast[draft->nodes.front()];
-    const std::string statement = rewritten.substr(whole.begin, whole.end - whole.begin + growth);
-    const std::size_t comments = draft->text.find(source.substr(whole.begin, whole.end - whole.begin));
-    const std::string above = comments == std::string::npos ? "" : draft->text.substr(0, comments);
-    const std::vector<SessionChange::Draft> made = change_.parse(above + statement, draft->origin, true);
-    if (made.size() != 1) return nullptr;
-    change_.changes.push_back("now: " + shortened(made.front()->text));
-    return made.front();
-  }
-
-  SessionCore& core_;
-  SessionChange& change_;
-  std::uint64_t last_id_;
-};
-
-} // namespace
 
 SessionResult Session::submit(std::string_view text) {
   SessionCore& core = state_->core;
@@ -247,57 +134,6 @@ SessionResult Session::reset() {
 }
 
 namespace {
-
-// What is found under a name.
-struct Search {
-  std::optional<std::size_t> found;
-  std::string problem; // where nothing is, or nothing that is meant for sure
-};
-
-// Whether the statement places a thing with this `name`.
-bool places(const SessionCore& core, const Statement& statement, std::string_view name) {
-  const Ast& ast = statement.unit->ast;
-  const Node& whole = ast[statement.nodes.front()];
-  return std::any_of(ast.nodes.begin(), ast.nodes.end(), [&](const Node& node) {
-    if (node.kind != Kind::property || core.program.symbols.name(Symbol{node.a}) != "name") return false;
-    const NodeId value{node.b};
-    const bool is_inside = node.begin >= whole.begin && node.end <= whole.end;
-    return is_inside && ast.kind(value) == Kind::string && ast.text(value) == name;
-  });
-}
-
-bool is_copy_of(const SessionCore& core, const Statement& statement, std::string_view noun) {
-  const Ast& ast = statement.unit->ast;
-  const NodeId base = innermost(ast, statement.nodes.front());
-  return ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == noun;
-}
-
-std::string nothing_called(const SessionCore& core, const SessionChange& change, std::string_view name) {
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < change.size(); ++i)
-    for (const TopName& top : change[i].names) names.push_back(core.program.symbols.name(top.name));
-  const auto guess = nearest(name, names);
-  return fmt::format("there is nothing called `{}`{}", name, guess ? fmt::format("; did you mean `{}`?", *guess) : "");
-}
-
-// The statement that a name stands for: what declares it, the thing with this name, or the only one of its noun.
-Search find_thing(const SessionCore& core, const SessionChange& change, std::string_view name) {
-  if (const Symbol symbol = core.program.symbols.find(name); symbol != no_symbol)
-    if (const auto at = change.find(symbol)) return {at, ""};
-  std::vector<std::size_t> copies;
-  std::size_t count = 0;
-  for (std::size_t i = change.size(); i-- > 0;) {
-    const Statement& statement = change[i];
-    if (statement.declares() || statement.is_comment()) continue;
-    if (statement.nodes.size() == 1 && places(core, statement, name)) return {i, ""};
-    if (!is_copy_of(core, statement, name)) continue;
-    copies.push_back(i);
-    count += statement.nodes.size();
-  }
-  if (count == 1) return {copies.front(), ""};
-  if (count == 0) return {std::nullopt, nothing_called(core, change, name)};
-  return {std::nullopt, fmt::format("there are {} of `{}`; which one?", count, name)};
-}
 
 constexpr const char* how_to_name = "a thing has a name when it is bound with `=`, or by its property `name`";
 

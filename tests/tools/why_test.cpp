@@ -2,9 +2,9 @@
 
 #include "lang/load.hpp"
 #include "program.hpp"
+#include "tests/paths.hpp"
 #include "tools/ask/why.hpp"
 #include "tools/rtlang/exit_code.hpp"
-#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -285,6 +285,8 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("ambient: 0\nspot { at: [0, 9, 9], look_at: [0, 9, 0] }\nsphere {}") ==
         "black because sphere (line 3) lies outside the cone of spot (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0.01\nsphere {}") == "dark because there is no light, and there is little ambient light");
+  CHECK(sentence_of("ambient: 0\nlight { at: [0, 0, 1] }\nsphere {}") ==
+        "black because light (line 2) stands in the very point that is seen and does not light it, and ambient is 0");
   CHECK(sentence_of(lit + "sphere { material: black }") == "black because the color of sphere (line 3) is black");
   CHECK(sentence_of(lit + "sphere { material: material { color: #333, specular: 0.9 } }")
             .starts_with("bright because sphere (line 3) shows the highlight of sun (line 1) here"));

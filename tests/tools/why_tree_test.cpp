@@ -2,9 +2,9 @@
 
 #include "lang/load.hpp"
 #include "renderer/render.hpp"
+#include "tests/paths.hpp"
 #include "tools/ask/why.hpp"
 #include "tools/ask/why_surface.hpp"
-#include "tests/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -124,6 +124,22 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
       }
     }
   }
+}
+
+TEST_CASE("why: what is too much to tell is summed up, and the sum is still whole") {
+  auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/nested_glass.rtl", {});
+  REQUIRE(loaded.scene);
+  const Tracer tracer(*loaded.scene, 1);
+  const Ray ray = tracer.camera().ray(400.5, 300.5);
+  const auto whole = ask::record(tracer, ray), part = ask::record(tracer, ray, 3);
+  const ask::Sum sum = ask::take_apart(*part);
+  CHECK(part->radiance == whole->radiance);
+  CHECK(gap(sum.total, whole->radiance) <= 1e-12);
+  CHECK(std::any_of(sum.terms.begin(), sum.terms.end(),
+                    [](const ask::Contribution& t) { return t.kind == ask::Contribution::Kind::untold; }));
+  std::size_t told = 0;
+  for_each_surface(*part, [&](const ask::SurfaceNode&) { ++told; });
+  CHECK(told == 3);
 }
 
 TEST_CASE("why: every sample of a pixel can be asked about, and their mean is the pixel") {

@@ -65,6 +65,7 @@ private:
   std::optional<Reason> keeps_off(const SurfaceNode& s, const LampNode& lamp) const {
     const LightRecord& r = lamp.record;
     if (answer_.traceable.lamps()[r.lamp].color == black) return Reason{"no light comes from ", "", {}};
+    if (r.incidence.distance == 0) return Reason{"", " stands in the very point that is seen and does not light it", {}};
     if (r.incidence.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
     if (!(r.cos_light > 0)) return Reason{"it faces away from ", "", {}};
     if (max_component(r.filter) < 0.05) return blocks(s, lamp);

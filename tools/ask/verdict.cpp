@@ -65,7 +65,8 @@ private:
   std::optional<Reason> keeps_off(const SurfaceNode& s, const LampNode& lamp) const {
     const LightRecord& r = lamp.record;
     if (answer_.traceable.lamps()[r.lamp].color == black) return Reason{"no light comes from ", "", {}};
-    if (r.incidence.distance == 0) return Reason{"", " stands in the very point that is seen and does not light it", {}};
+    if (r.incidence.distance == 0)
+      return Reason{"", " stands in the very point that is seen and does not light it", {}};
     if (r.incidence.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
     if (!(r.cos_light > 0)) return Reason{"it faces away from ", "", {}};
     if (max_component(r.filter) < 0.05) return blocks(s, lamp);
@@ -203,7 +204,7 @@ public:
       by_way[term.last_step] += size;
       (answer_.sum.way(term.last_step).front().how == WayStep::How::mirrored ? mirrored : through) += size;
     }
-    if (direct >= mirrored && direct >= through) return own(root.surfaces.front(), direct);
+    if (direct >= mirrored && direct >= through) return own(root.surfaces.front(), mirrored, through);
     const bool is_mirrored = mirrored > through;
     std::uint32_t best = no_step;
     for (const auto& [step, size] : by_way) {
@@ -217,7 +218,7 @@ private:
   double share(double size) const { return whole_ > 0 ? size / whole_ : 0; }
 
   // What the surface itself shows.
-  std::string own(const SurfaceNode& s, double direct) const {
+  std::string own(const SurfaceNode& s, double mirrored, double through) const {
     double ambient = 0, emission = 0;
     std::map<std::uint32_t, double> diffuse, highlight;
     for (const Contribution& term : answer_.sum.terms) {
@@ -247,12 +248,12 @@ private:
                            percent_text(share(size)));
     if (emission > 0.5 * whole_)
       return fmt::format("{} glows by itself: emission gives {}", title, percent_text(share(emission)));
-    return lit(s, title, ambient, diffuse, highlight, direct);
+    return lit(s, title, ambient, diffuse, highlight) + others(mirrored, through);
   }
 
   std::string lit(const SurfaceNode& s, const std::string& title, double ambient,
-                  const std::map<std::uint32_t, double>& diffuse, const std::map<std::uint32_t, double>& highlight,
-                  double direct) const {
+                  const std::map<std::uint32_t, double>& diffuse,
+                  const std::map<std::uint32_t, double>& highlight) const {
     std::map<std::uint32_t, double> lamps = diffuse;
     for (const auto& [lamp, size] : highlight) lamps[lamp] += size;
     std::vector<std::string> givers;
@@ -268,11 +269,17 @@ private:
     else if (lit_by.empty() && share(ambient) >= 0.1)
       text = fmt::format("{} is seen in ambient light ({})", title, percent_text(share(ambient)));
     const auto missing = surfaces_.why_unlit(s, lit_by, share(ambient) < 0.5);
-    if (!missing.empty())
-      text += ": " + join(with_subject(missing, title, true));
-    else if (share(direct) < 0.9)
-      text += fmt::format("; {} come by other rays", percent_text(1 - share(direct)));
+    if (!missing.empty()) text += ": " + join(with_subject(missing, title, true));
     return text;
+  }
+
+  // What comes beside the surface's own light.
+  std::string others(double mirrored, double through) const {
+    std::vector<std::string> parts;
+    if (share(mirrored) >= 0.1)
+      parts.push_back(fmt::format("{} of the light is mirrored", percent_text(share(mirrored))));
+    if (share(through) >= 0.1) parts.push_back(fmt::format("{} comes through it", percent_text(share(through))));
+    return parts.empty() ? "" : "; " + list_text(parts);
   }
 
   // What is seen in a mirror or through something. `all` is what comes that way altogether.

@@ -299,6 +299,18 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, -1], intensity: 3 }\nsphere {}") ==
         "sphere (line 3) is seen in the light of sun (line 2) (100 %); it is brighter than the picture can show and "
         "clipped to white");
+  // Light that is there and does not get by: blue through a red pane, bent or not, and a weak mirror of a bright
+  // background.
+  const std::string blue = "ambient: 1\nplane { z: -5, material: #00f }\n";
+  CHECK(
+      sentence_of(blue + "box { material: material { color: #f00, refract: 1 } }") ==
+      "black because it is seen through box (line 3), and little of the light of plane (line 2) gets by");
+  CHECK(sentence_of(blue + "box { material: material { color: #f00, refract: 1, ior: 1.5 } }") ==
+        "black because it is seen through box (line 3), but little of the light from there gets by");
+  CHECK(
+      sentence_of(
+          "background: #fff\nambient: 0\nsphere { material: material { color: #fff, diffuse: 0.5, reflect: 0.04 } }") ==
+      "dark because there is no light, and ambient is 0");
   // Two mirrors that face each other, and nothing else: the ray goes to and fro until it may not.
   CHECK(sentence_of("ambient: 0\nmax_depth: 3\nplane { z: -1, material: material { reflect: 1 } }\nplane { z: 9, "
                     "material: material { reflect: 1 } }") ==

@@ -124,8 +124,10 @@ public:
 private:
   std::string of(const RayNode& ray, std::size_t first) const {
     if (first < ray.surfaces.size()) return of(ray, first, ray.surfaces[first]);
-    if (ray.end == RayNode::End::background)
+    if (ray.end == RayNode::End::background) {
+      if (max_component(ray.background) >= dark_below) return "little of the background's light gets by";
       return first == 0 ? background() : "nothing is behind it, and the background is dark there";
+    }
     return fmt::format("the ray ends at max_depth {}", answer_.scene.max_depth);
   }
 
@@ -142,25 +144,32 @@ private:
     const std::string title = surfaces_.title(s);
     if (s.total_reflection) return deeper(*s.total_reflection->ray, fmt::format("{} reflects the ray totally", title));
     if (through > body && through >= mirror) {
-      if (s.passage->tau == black) return fmt::format("{} lets nothing through: its color is black", title);
+      if (s.material.color == black) return fmt::format("{} lets nothing through: its color is black", title);
       if (max_component(s.passage->tau) < dark_below)
         return fmt::format("{} lets through only {}", title, percent_text(max_component(s.passage->tau)));
       if (s.passage->ray) return deeper(*s.passage->ray, fmt::format("it is seen through {}", title));
-      return fmt::format("it is seen through {}, and {}", title, of(ray, i + 1));
+      return chained(fmt::format("it is seen through {}", title), of(ray, i + 1));
     }
     if (mirror > 0.5 * body && s.mirror->ray) return deeper(*s.mirror->ray, fmt::format("{} mirrors", title));
     return lit(s, title);
   }
 
+  // The two sides of one thing are told once.
+  static std::string chained(const std::string& how, const std::string& rest) {
+    return rest.starts_with(how) ? rest : fmt::format("{}, and {}", how, rest);
+  }
+
   std::string deeper(const RayNode& ray, const std::string& how) const {
+    if (max_component(ray.radiance) >= dark_below) return how + ", but little of the light from there gets by";
     if (ray.surfaces.empty() && ray.end == RayNode::End::background)
       return fmt::format("{}, and the background there is {}", how, ray.background == black ? "black" : "dark");
     if (!ray.is_told) return how + ", and little light comes from there";
-    return fmt::format("{}, and {}", how, of(ray, 0));
+    return chained(how, of(ray, 0));
   }
 
   std::string lit(const SurfaceNode& s, const std::string& title) const {
     const MaterialValues& m = s.material;
+    if (max_component(s.shading()) >= dark_below) return fmt::format("little of the light of {} gets by", title);
     if (max_component(m.color) < dark_below)
       return fmt::format("the color of {} is {}", title, m.color == black ? "black" : "dark");
     std::vector<std::string> reasons = surfaces_.why_unlit(s);

@@ -37,6 +37,7 @@ enum PrivateKey : int {
   key_next_row = 0x85,
   key_next_char = 0x86,
   key_kill_line = 0x87,
+  key_start_over = 0x88,
 };
 
 constexpr std::size_t longest_line = 64 * 1024; // in bytes; a longer text cannot be edited, only pasted
@@ -128,7 +129,7 @@ public:
     rl_getc_function = [](FILE*) { return current->next(); };
     rl_initialize();
     bind();
-    reserve();
+    reserve_bytes();
   }
   ~Keys() { current = nullptr; }
 
@@ -153,17 +154,23 @@ private:
       rl_add_defun("rtlang-close", [](int, int key) { return current->close(key); }, bracket);
     for (const char* line : {"bind '\\201' ed-newline", "bind '\\202' ed-prev-history", "bind '\\203' ed-next-history",
                              "bind '\\204' ed-prev-line", "bind '\\205' ed-next-line", "bind '\\206' ed-next-char",
-                             "bind '\\207' em-kill-line"})
+                             "bind '\\207' em-kill-line", "bind '\\210' ed-start-over"})
       rl_parse_and_bind(line);
   }
 
-  // libedit keeps a pointer into a buffer that grows without telling (its `rl_line_buffer`). So it grows now, to the
-  // longest line that is let in: the second insertion makes libedit look up where the first one's text went.
-  static void reserve() {
-    const std::string filler(longest_line, ' ');
+  // libedit keeps a pointer to the line's bytes (`rl_line_buffer`, into which it also writes), and looks up where they
+  // are only when the line must grow. But each key may move them: what is encoded is all that ever stood in the line, up
+  // to its first NUL. So at first there are as many bytes as there can be, from the longest characters there are, and
+  // then, in an empty line, so many short ones that it must grow: the bytes' place that is looked up then is their last.
+  static void reserve_bytes() {
+    std::string filler;
+    while (filler.size() < 4 * longest_line) filler += "\U0001f642";
     rl_insert_text(filler.c_str());
-    rl_insert_text((filler + filler).c_str());
-    rl_delete_text(0, static_cast<int>(3 * longest_line));
+  }
+  void reserve_characters() {
+    has_reserved_ = true;
+    rl_insert_text(std::string(3 * longest_line, ' ').c_str());
+    type(key_start_over);
   }
 
   std::string_view text() const { return {rl_line_buffer, static_cast<std::size_t>(rl_end)}; }
@@ -180,6 +187,7 @@ private:
   }
 
   int next() {
+    if (!has_reserved_) reserve_characters();
     while (queue_.empty()) {
       const Key key = reader_.read();
       if (key.kind != Key::Kind::wake && key.kind != Key::Kind::resize && hooks_.on_key) hooks_.on_key();
@@ -303,6 +311,7 @@ private:
   LineEditorHooks hooks_;
   KeyReader reader_;
   std::deque<int> queue_;
+  bool has_reserved_ = false;
   std::optional<std::string> paste_;
   End end_ = End::end_of_input;
 };

@@ -93,7 +93,7 @@ public:
 private:
   class Worker {
   public:
-    explicit Worker(Job& job) : job_(job), whitted_(job.traceable_, recorder_) {}
+    explicit Worker(Job& job) : job_(job), whitted_(job.traceable_, recorder_, job.options_.stop) {}
 
     void run() {
       while (!job_.is_stopped()) {
@@ -118,14 +118,14 @@ private:
     bool trace_tile(const PixelRect& tile) {
       for (int y = tile.y0; y < tile.y1; y += block_side) {
         for (int x = tile.x0; x < tile.x1; x += block_side) {
-          if (job_.is_stopped()) return false;
-          trace_block({x, y, std::min(x + block_side, tile.x1), std::min(y + block_side, tile.y1)});
+          if (!trace_block({x, y, std::min(x + block_side, tile.x1), std::min(y + block_side, tile.y1)})) return false;
         }
       }
       return true;
     }
 
-    void trace_block(const PixelRect& block) {
+    // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
+    bool trace_block(const PixelRect& block) {
       const int n = job_.side_;
       const auto count = static_cast<std::size_t>(block.width() * block.height());
       std::array<Color, accel::packet_size> sums{}, values;
@@ -133,6 +133,7 @@ private:
       for (int sample = 0; sample < n * n; ++sample) {
         for_each_pixel(block, [&](int x, int y, std::size_t i) { rays[i] = job_.camera_.ray(x, y, sample, n); });
         trace_rays(std::span(rays).first(count), values);
+        if (job_.is_stopped()) return false;
         for (std::size_t i = 0; i < count; ++i) sums[i] += values[i];
       }
       for_each_pixel(block, [&](int x, int y, std::size_t i) {
@@ -140,6 +141,7 @@ private:
         job_.film_.color[index] = to_single(sums[i] * (1.0 / (n * n)));
         if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
       });
+      return true;
     }
 
     template <class F>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -46,8 +47,9 @@ struct PovrayTolerances {
 template <class Tolerances = OwnTolerances, class Recorder = NoRecorder>
 class Whitted {
 public:
-  /// Both must outlive the integrator.
-  Whitted(const Traceable& scene, Recorder& recorder) : scene_(scene), recorder_(recorder) {}
+  /// All must outlive the integrator. Once `stop` is set, every ray ends at once, and results mean nothing any more.
+  Whitted(const Traceable& scene, Recorder& recorder, const std::atomic<bool>* stop = nullptr)
+      : scene_(scene), recorder_(recorder), stop_(stop) {}
 
   /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
   Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
@@ -170,7 +172,7 @@ private:
     std::array<Path*, Size> going; // at first all, then those that cross surfaces unbent
     std::size_t count = paths.size();
     for (std::size_t i = 0; i < count; ++i) going[i] = &paths[i];
-    for (int crossings = 0; count > 0 && crossings < max_crossings; ++crossings) {
+    for (int crossings = 0; count > 0 && crossings < max_crossings && !is_stopped(); ++crossings) {
       std::array<Meeting, Size> storage;
       const std::span<Meeting> meetings = std::span(storage).first(meet<Size>(std::span(going).first(count), storage));
       const bool is_together = stays_together(meetings);
@@ -178,6 +180,8 @@ private:
       count = go_on<Size>(meetings, is_together, depth, going);
     }
   }
+
+  bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
 
   // Finds what the paths meet; those that meet nothing see the background. How many meetings there are.
   template <std::size_t Size>
@@ -443,6 +447,7 @@ private:
 
   const Traceable& scene_;
   Recorder& recorder_;
+  const std::atomic<bool>* stop_;
   std::array<InteriorLists, group_size> interiors_; // by the place of the camera's ray in its group
   std::array<TraceScratch, group_size> scratch_;
   std::array<MaterialValues, group_size> values_; // where they are not constant; they serve until rays branch

@@ -1,6 +1,8 @@
 #include "renderer/render.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 namespace {
 
@@ -89,4 +91,31 @@ TEST_CASE("render: a stop that is already set leaves the picture incomplete") {
   RenderOptions options;
   options.stop = &stop;
   CHECK_FALSE(render(sphere_on_plane(), options).is_complete);
+}
+
+TEST_CASE("render: a stop ends even a pixel that would take for ever") {
+  // Panes that mirror and let by, one behind the other: the rays of one pixel double with every level.
+  scene::Scene s = sphere_on_plane();
+  s.materials[0].reflect = grey(0.5);
+  s.materials[0].refract = 0.5;
+  s.max_depth = 60;
+  for (int i = 0; i < 6; ++i) {
+    scene::Object pane;
+    scene::Plane plane;
+    plane.normal = {0, 0, 1};
+    plane.offset = 4 - i;
+    pane.shape = s.shapes.add(plane);
+    pane.material = scene::MaterialId{0};
+    s.objects.push_back(pane);
+  }
+  std::atomic<bool> stop = false;
+  RenderOptions options;
+  options.stop = &stop;
+  const auto start = std::chrono::steady_clock::now();
+  std::jthread stopper([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop = true;
+  });
+  CHECK_FALSE(render(s, options).is_complete);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
 }

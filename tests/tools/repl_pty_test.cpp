@@ -343,6 +343,24 @@ TEST_CASE("repl at a terminal: pictures are shown, and previews follow changes")
   CHECK(terminal.shows("\n2\n"));
 }
 
+TEST_CASE("repl at a terminal: a key ends a preview that would take long") {
+  const Home home;
+  Terminal terminal(home);
+  // Hundreds of panes that mirror and let by: a single pixel takes minutes.
+  terminal.say("max_depth: 60");
+  terminal.say("pane = material { refract: 0.5, reflect: 0.5 }");
+  terminal.say(":auto on");
+  terminal.say("for i in 0..200 { plane { z: -i, material: pane } }");
+  const auto start = std::chrono::steady_clock::now();
+  terminal.say("1 + 1");
+  CHECK(terminal.shows("\n2\n"));
+  CHECK(std::chrono::steady_clock::now() - start < seconds(5));
+  terminal.send(":show\r");
+  REQUIRE_FALSE(terminal.wait_for("stopped", milliseconds(300)));
+  terminal.send(std::string(1, ctrl_c));
+  CHECK(terminal.shows("stopped"));
+}
+
 TEST_CASE("repl at a terminal: the window's size may change") {
   const Home home;
   Terminal terminal(home);

@@ -58,6 +58,7 @@ Device::Device(int threads)
     : device_(rtcNewDevice(("set_affinity=0,threads=" + std::to_string(std::max(threads, 0))).c_str())) {
   if (!device_)
     throw std::runtime_error("Embree cannot be started: error " + std::to_string(rtcGetDeviceError(nullptr)));
+  has_packets_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
 }
 
 Tree::Tree(const Device& device, const Box3& bounds)
@@ -189,7 +190,12 @@ void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid
   }
 }
 
+// Where the processor has no instructions for sixteen rays, Embree's way around shows leaves to rays that are not there.
 void Tree::nearest(std::span<Query* const> queries) const {
+  if (!device_->has_packets_) {
+    for (Query* const query : queries) nearest(*query);
+    return;
+  }
   alignas(64) int are_valid[packet_size];
   RTCRayHit16 hits;
   enter_all(queries, hits.ray, are_valid);
@@ -203,13 +209,17 @@ void Tree::nearest(std::span<Query* const> queries) const {
 }
 
 std::array<bool, packet_size> Tree::blocks(std::span<Query* const> queries) const {
+  std::array<bool, packet_size> answers{};
+  if (!device_->has_packets_) {
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = blocks(*queries[i]);
+    return answers;
+  }
   alignas(64) int are_valid[packet_size];
   RTCRay16 rays;
   enter_all(queries, rays, are_valid);
   Context context(queries.data());
   // Not as a coherent packet, in which Embree shows a leaf to a query more than once. It is no slower.
   rtcOccluded16(are_valid, scene_.get(), &context.embree, &rays);
-  std::array<bool, packet_size> answers{};
   for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = are_valid[i] != 0 && rays.tfar[i] < 0;
   return answers;
 }

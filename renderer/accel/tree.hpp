@@ -32,6 +32,7 @@ private:
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   };
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
+  bool has_packets_ = false;
 };
 
 /// A ray on its way through a tree. Callbacks receive it, as a type derived from it; they look for hits in its interval

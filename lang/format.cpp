@@ -178,7 +178,7 @@ private:
       comment(group.opening_comment);
     }
     if (group.bracket == '{') return block(group, indent);
-    if (std::exchange(group.must_be_filled, false)) fill(group, indent + step);
+    if (group.is_filled) fill(group, indent + step);
     std::vector<std::size_t> comments(group.entries.size(), none);
     for (std::size_t i = 0; i < group.entries.size(); ++i) comments[i] = element(group, i, indent);
     if (group.ends_on_new_line) {
@@ -230,8 +230,9 @@ private:
     return trailing_comment(entry);
   }
 
-  // As many elements a line as there is room for.
+  // As many elements a line as there is room for: at each writing, because what is around it may have moved it since.
   void fill(Group& group, std::size_t indent) {
+    if (std::any_of(group.entries.begin(), group.entries.end(), layout::has_line_break_within)) return; // broken by now
     std::size_t column = 0;
     for (Entry& entry : group.entries) {
       const std::size_t size = width(entry);

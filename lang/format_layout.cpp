@@ -23,17 +23,20 @@ bool is_symbol(const Piece& piece, std::string_view text) {
 
 bool is_tight(const Piece& piece) { return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<"); }
 
-// Whether the piece is a sign, not a subtraction.
-bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {
-  if (!is_symbol(pieces[i], "-")) return false;
+bool is_for(const Piece& piece) { return piece.kind == TokenKind::name && piece.text == "for"; }
+
+// Whether the piece stands where a value is wanted: behind an operator or a word that needs one, or first.
+bool is_value_wanted(const std::vector<Piece>& pieces, std::size_t i) {
   while (i > 0 && is_comment(pieces[i - 1].kind)) --i;
   return i == 0 || pieces[i - 1].kind == TokenKind::symbol || is_keyword(pieces[i - 1]);
 }
 
-bool has_clause(const Entry& entry) {
-  return std::any_of(entry.pieces.begin(), entry.pieces.end(),
-                     [](const Piece& piece) { return piece.kind == TokenKind::name && piece.text == "for"; });
+// Whether the piece is a sign, not a subtraction.
+bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {
+  return is_symbol(pieces[i], "-") && is_value_wanted(pieces, i);
 }
+
+bool has_clause(const Entry& entry) { return std::any_of(entry.pieces.begin(), entry.pieces.end(), is_for); }
 
 bool has_broken_clauses(const Entry& entry) {
   for (std::size_t i = 1; i < entry.pieces.size(); ++i) {
@@ -79,9 +82,8 @@ bool fill_list(Group& list, std::size_t (*flat_width)(Group&)) {
       list.entries.size() > 1 && std::none_of(list.entries.begin(), list.entries.end(), [](const Entry& entry) {
         return entry.is_comment || !entry.trailing_comment.empty() || has_line_break_within(entry);
       });
-  if (list.has_been_filled || !can_be_filled || flat_width(list) < shortest_filled) return false;
-  list.has_been_filled = list.must_be_filled = true;
-  return true;
+  if (!can_be_filled || flat_width(list) < shortest_filled) return false;
+  return !std::exchange(list.is_filled, true);
 }
 
 } // namespace
@@ -98,8 +100,9 @@ bool has_space_before(const std::vector<Piece>& pieces, std::size_t i) {
 }
 
 bool begins_clause(const std::vector<Piece>& pieces, std::size_t i) {
-  return pieces[i].kind == TokenKind::name && (pieces[i].text == "for" || pieces[i].text == "if") &&
-         pieces[i - 1].kind != TokenKind::symbol;
+  if (pieces[i].kind != TokenKind::name || (pieces[i].text != "for" && pieces[i].text != "if")) return false;
+  if (is_value_wanted(pieces, i)) return false; // an `if` with blocks: `= if a { … } else if b { … }`
+  return pieces[i].text == "for" || std::any_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), is_for);
 }
 
 bool has_line_break_within(const Entry& entry) {
@@ -124,7 +127,8 @@ void settle(Group& group) {
     return;
   }
   group.ends_on_new_line = group.ends_on_new_line || must_break;
-  if (group.bracket == '{') group.is_broken = has_line_break(group);
+  // In other brackets a line break may have stood before a comma, where none is kept.
+  group.is_broken = group.bracket == '{' && has_line_break(group);
   if (group.bracket == '[' && is_list_broken) {
     group.entries.front().begins_line = true;
     group.ends_on_new_line = true;

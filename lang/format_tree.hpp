@@ -42,8 +42,7 @@ struct Group {
   std::string_view opening_comment; ///< behind the opening bracket on its line
   bool is_broken = false;           ///< it has line breaks of its own, not only within inner groups
   bool ends_on_new_line = false;    ///< the closing bracket begins a line
-  bool must_be_filled = false;      ///< a list whose line breaks are to be set anew
-  bool has_been_filled = false;
+  bool is_filled = false;           ///< a list that has as many elements a line as there is room for
 };
 
 /// Requires a text that parses.

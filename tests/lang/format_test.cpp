@@ -33,6 +33,13 @@ std::vector<std::string> comments(std::string_view text) {
   return out;
 }
 
+/// A list of consecutive numbers.
+std::string numbers(int first, int count) {
+  std::string out = "[";
+  for (int i = 0; i < count; ++i) out += (i > 0 ? ", " : "") + std::to_string(first + i);
+  return out + "]";
+}
+
 /// What must hold for every text.
 void check_promises(const std::string& text) {
   const std::string once = formatted(text);
@@ -84,6 +91,33 @@ TEST_CASE("format: what is wider than 100 columns is broken, blocks before lists
   CHECK(formatted("xs = [sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], material: ink }.rotate(turn) for "
                   "p in pips(n)]") == "xs = [\n  sphere { radius: 0.11, at: [0.27 * p[0], 0.55, 0.27 * p[1]], "
                                       "material: ink }.rotate(turn)\n  for p in pips(n)\n]\n");
+}
+
+TEST_CASE("format: an if with blocks in a comprehension is no clause of it") {
+  const std::string value = "if a { 1 } else if b { 2 } else { 3 }";
+  const std::string clause = "for i in " + numbers(10000, 10);
+  const std::string broken = "x = [\n  " + value + "\n  " + clause + "\n  if i < 3\n]\n";
+  CHECK(formatted("x = [" + value + " " + clause + " if i < 3]") == broken);
+  CHECK(formatted("x = [\n" + value + "\n" + clause + "\nif i < 3]") == broken);
+}
+
+TEST_CASE("format: a list is filled up to the 100th column wherever it comes to stand") {
+  // With four columns of indentation fourteen of the numbers take exactly 100, with six they are one too many: the list
+  // is filled before what is around it is broken, and moves.
+  std::string call = numbers(10000, 13);
+  call.front() = '(', call.back() = ')';
+  CHECK(formatted("x = [f" + call + " for i in [\n" + numbers(10000, 15) + "]]") ==
+        "x = [\n  f" + call + "\n  for i in [\n    [\n      10000, 10001, 10002, 10003, 10004, 10005, 10006, 10007, 10008, " +
+            "10009, 10010, 10011, 10012\n      10013, 10014\n    ]\n  ]\n]\n");
+}
+
+TEST_CASE("format: a line break that is not kept does not keep others from being set") {
+  std::string list = numbers(1000, 16);
+  list.back() = ',';
+  const std::string broken = formatted("x = " + list + " f(1, 2)]");
+  CHECK(broken.ends_with(" 1015\n  f(1, 2)\n]\n"));
+  CHECK(formatted("x = " + list + " f(1\n, 2)]") == broken);
+  CHECK(formatted("x = " + list + " [1\n, 2]]") == formatted("x = " + list + " [1, 2]]"));
 }
 
 TEST_CASE("format: an item that cannot begin a line keeps the comma before it") {

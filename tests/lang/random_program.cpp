@@ -4,6 +4,17 @@
 
 namespace rt::lang::testing {
 
+namespace {
+
+/// Parts that are drawn at random are drawn from left to right in braces; between + every compiler has an order of its own.
+std::string in_order(std::initializer_list<std::string> parts) {
+  std::string out;
+  for (const std::string& part : parts) out += part;
+  return out;
+}
+
+} // namespace
+
 std::string RandomProgram::pick(std::initializer_list<const char*> words) {
   return words.begin()[below(static_cast<int>(words.size()))];
 }
@@ -34,8 +45,8 @@ std::string RandomProgram::separator(bool is_list) {
   case 5: return chance(50) ? " // " + comment() + "\n" : ", // " + comment() + "\n";
   case 6: return "\n\n\n";
   case 7:
-    return "\n// " + comment() + "\n" + (chance(30) ? "\n" : "") +
-           (chance(50) ? "/* " + comment() + "\n more */\n" : "");
+    return in_order({"\n// ", comment(), "\n", chance(30) ? "\n" : "",
+                     chance(50) ? "/* " + comment() + "\n more */\n" : ""});
   default: return ";";
   }
 }
@@ -53,27 +64,31 @@ std::string RandomProgram::text(int items) {
 std::string RandomProgram::item(int depth) {
   switch (below(14)) {
   case 0:
-  case 1: return name() + gap() + "=" + continuation() + expression(depth);
+  case 1: return in_order({name(), gap(), "=", continuation(), expression(depth)});
   case 2:
   case 3:
-  case 4: return name() + gap() + ":" + continuation() + expression(depth);
-  case 5: return depth > 0 ? "def " + name() + gap() + parameters(depth - 1) + gap() + block(depth - 1) : name();
+  case 4: return in_order({name(), gap(), ":", continuation(), expression(depth)});
+  case 5:
+    return depth > 0 ? in_order({"def ", name(), gap(), parameters(depth - 1), gap(), block(depth - 1)}) : name();
   case 6:
-    return "fn " + name() + gap() + parameters(depth - 1) + gap() +
-           (depth > 0 && chance(30) ? block(depth - 1, true) : "=" + continuation() + expression(depth - 1));
+    return in_order({"fn ", name(), gap(), parameters(depth - 1), gap(),
+                     depth > 0 && chance(30) ? block(depth - 1, true)
+                                             : in_order({"=", continuation(), expression(depth - 1)})});
   case 7: return depth > 0 ? choice(depth - 1, false) : name();
-  case 8: return depth > 0 ? "for" + space() + loop(depth - 1) + gap() + block(depth - 1) : name();
+  case 8: return depth > 0 ? in_order({"for", space(), loop(depth - 1), gap(), block(depth - 1)}) : name();
   case 9: return chance(50) ? "include \"a b.rtl\"" : "use" + space() + "\"lib.rtl\" as lib";
-  case 10: return "param " + name() + " = " + expression(0) + (chance(50) ? " in 1" + gap() + ".." + gap() + "10" : "");
+  case 10:
+    return in_order({"param ", name(), " = ", expression(0),
+                     chance(50) ? in_order({" in 1", gap(), "..", gap(), "10"}) : ""});
   default: return thing(depth);
   }
 }
 
 std::string RandomProgram::thing(int depth) {
-  std::string out = name() + gap() + (depth > 0 ? block(depth - 1) : "{" + gap() + "}");
+  std::string out = in_order({name(), gap(), depth > 0 ? block(depth - 1) : "{" + gap() + "}"});
   for (int i = below(3); i > 0; --i) {
     if (parentheses_ == 0 && chance(40)) out += chance(70) ? "\n  " : "\n// " + comment() + "\n";
-    out += "." + pick({"move", "rotate", "scale"}) + call(depth - 1);
+    out += in_order({".", pick({"move", "rotate", "scale"}), call(depth - 1)});
   }
   return out;
 }
@@ -85,7 +100,7 @@ std::string RandomProgram::block(int depth, bool is_value) {
   out += chance(20) ? "\n" : gap();
   const int items = is_value ? below(2) : below(4);
   for (int i = 0; i < items; ++i) {
-    out += is_value ? name() + " = " + expression(depth - 1) : item(depth - 1);
+    out += is_value ? in_order({name(), " = ", expression(depth - 1)}) : item(depth - 1);
     if (i + 1 < items || is_value) out += separator(false);
   }
   if (is_value) out += "(" + expression(depth - 1) + ")";
@@ -105,17 +120,18 @@ std::string RandomProgram::literal() {
   case 1: return "\"a // b\\n{ \\\" é\"";
   case 2: return pick({"true", "false", "none"});
   case 3: return pick({"30deg", "0.5turn", "1e-3", "2.5E2"});
-  default: return std::to_string(below(100)) + (chance(40) ? "." + std::to_string(below(1000)) : "");
+  default: return in_order({std::to_string(below(100)), chance(40) ? "." + std::to_string(below(1000)) : ""});
   }
 }
 
 std::string RandomProgram::expression(int depth) {
   if (depth > 0 && chance(6)) return choice(depth - 1, true);
   if (depth > 0 && chance(4))
-    return "fn" + gap() + parameters(depth - 1) + gap() + "=>" + continuation() + expression(depth - 1);
+    return in_order({"fn", gap(), parameters(depth - 1), gap(), "=>", continuation(), expression(depth - 1)});
   std::string out = operand(depth);
   for (int i = chance(35) ? 1 + below(3) : 0; i > 0 && depth > 0; --i) {
-    out += space() + pick({"+", "-", "*", "/", "%", "|", "&", "^", "and", "or"}) + continuation() + operand(depth - 1);
+    out += in_order({space(), pick({"+", "-", "*", "/", "%", "|", "&", "^", "and", "or"}), continuation(),
+                     operand(depth - 1)});
   }
   return out;
 }
@@ -124,18 +140,18 @@ std::string RandomProgram::operand(int depth) {
   const std::string sign = chance(10) ? (chance(70) ? "-" : "- ") : "";
   if (depth <= 0) return sign + (chance(50) ? literal() : name());
   switch (below(10)) {
-  case 0: return sign + name() + call(depth - 1);
-  case 1: return sign + name() + gap() + "[" + on_lines(depth - 1) + "]";
+  case 0: return in_order({sign, name(), call(depth - 1)});
+  case 1: return in_order({sign, name(), gap(), "[", on_lines(depth - 1), "]"});
   case 2: return list(depth - 1);
   case 3: return comprehension(depth - 1);
   case 4: {
     ++parentheses_;
-    std::string out = sign + "(" + gap() + expression(depth - 1) + gap() + ")";
+    std::string out = in_order({sign, "(", gap(), expression(depth - 1), gap(), ")"});
     --parentheses_;
     return out + (chance(20) ? " " + block(depth - 1) : "");
   }
-  case 5: return "{" + name() + ": " + on_lines(depth - 1) + ", b: 2 }";
-  case 6: return sign + name() + "." + name();
+  case 5: return in_order({"{", name(), ": ", on_lines(depth - 1), ", b: 2 }"});
+  case 6: return in_order({sign, name(), ".", name()});
   case 7: return chance(50) ? thing(depth - 1) : "(0" + pick({"..", "..<", " .. "}) + "n - 1 by 2 == [1])";
   default: return sign + (chance(60) ? literal() : name());
   }
@@ -143,7 +159,7 @@ std::string RandomProgram::operand(int depth) {
 
 std::string RandomProgram::on_lines(int depth) {
   const int outer = std::exchange(parentheses_, 0);
-  std::string out = gap() + expression(depth) + gap();
+  std::string out = in_order({gap(), expression(depth), gap()});
   parentheses_ = outer;
   return out;
 }
@@ -163,9 +179,9 @@ std::string RandomProgram::list(int depth) {
 
 std::string RandomProgram::comprehension(int depth) {
   const int outer = std::exchange(parentheses_, 0);
-  std::string out = "[" + gap() + expression(depth);
-  out += (chance(30) ? "\n" : space()) + "for" + space() + loop(depth);
-  if (chance(40)) out += (chance(30) ? "\n" : space()) + "if" + space() + operand(depth);
+  std::string out = in_order({"[", gap(), expression(depth)});
+  out += in_order({chance(30) ? "\n" : space(), "for", space(), loop(depth)});
+  if (chance(40)) out += in_order({chance(30) ? "\n" : space(), "if", space(), operand(depth)});
   parentheses_ = outer;
   return out + gap() + "]";
 }
@@ -175,8 +191,8 @@ std::string RandomProgram::call(int depth) {
   std::string out = "(" + gap();
   const int length = below(4);
   for (int i = 0; i < length; ++i) {
-    out += (chance(30) ? name() + gap() + ":" + gap() : "") + expression(depth);
-    if (i + 1 < length || chance(10)) out += gap() + "," + gap();
+    out += in_order({chance(30) ? in_order({name(), gap(), ":", gap()}) : "", expression(depth)});
+    if (i + 1 < length || chance(10)) out += in_order({gap(), ",", gap()});
   }
   --parentheses_;
   return out + ")";
@@ -187,7 +203,7 @@ std::string RandomProgram::parameters(int depth) {
   std::string out = "(" + gap();
   const int length = below(3);
   for (int i = 0; i < length; ++i) {
-    out += "p" + std::to_string(i) + (chance(50) ? gap() + "=" + gap() + expression(depth - 1) : "");
+    out += "p" + std::to_string(i) + (chance(50) ? in_order({gap(), "=", gap(), expression(depth - 1)}) : "");
     if (i + 1 < length) out += "," + gap();
   }
   --parentheses_;
@@ -195,16 +211,16 @@ std::string RandomProgram::parameters(int depth) {
 }
 
 std::string RandomProgram::choice(int depth, bool is_value) {
-  std::string out =
-      "if" + space() + "a" + space() + "<" + space() + "(" + operand(0) + ")" + gap() + block(depth, is_value);
-  if (chance(30)) out += gap() + "else" + space() + "if" + space() + "b" + gap() + block(depth, is_value);
-  if (is_value || chance(50)) out += gap() + "else" + gap() + block(depth, is_value);
+  std::string out = in_order(
+      {"if", space(), "a", space(), "<", space(), "(", operand(0), ")", gap(), block(depth, is_value)});
+  if (chance(30)) out += in_order({gap(), "else", space(), "if", space(), "b", gap(), block(depth, is_value)});
+  if (is_value || chance(50)) out += in_order({gap(), "else", gap(), block(depth, is_value)});
   return out;
 }
 
 std::string RandomProgram::loop(int depth) {
-  return (chance(30) ? "i" + gap() + "," + gap() : "") + "x" + space() + "in" + space() +
-         (chance(50) ? "0" + gap() + "..<" + gap() + "9 by 3" : list(depth));
+  return in_order({chance(30) ? in_order({"i", gap(), ",", gap()}) : "", "x", space(), "in", space(),
+                   chance(50) ? in_order({"0", gap(), "..<", gap(), "9 by 3"}) : list(depth)});
 }
 
 } // namespace rt::lang::testing

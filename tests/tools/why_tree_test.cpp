@@ -95,7 +95,10 @@ TEST_CASE("why: over random pixels of every example the terms sum to the radianc
     const scene::Scene& scene = *loaded.scene;
     const Tracer tracer(scene, 1);
     std::uniform_int_distribution<int> column(0, scene.size[0] - 1), row(0, scene.size[1] - 1);
-    for (int i = 0; i < 40; ++i) check_pixel(scene, tracer, path, column(random), row(random));
+    for (int i = 0; i < 40; ++i) {
+      const int x = column(random), y = row(random);
+      check_pixel(scene, tracer, path, x, y);
+    }
   }
 }
 

@@ -14,7 +14,10 @@ TEST_CASE("maps: those that keep shapes similar are known with their factor") {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {
     Affine map;
-    for (int k = 0; k < 4; ++k) map = Affine::rotating(random.direction(), random.number(-180, 180)) * map;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 axis = random.direction();
+      map = Affine::rotating(axis, random.number(-180, 180)) * map;
+    }
     const double scale = random.magnitude(1e-6, 1e6);
     map = Affine::translating(random.vector(-1e6, 1e6)) * map * Affine::scaling({scale, scale, -scale});
     const auto found = similarity_scale(map);

@@ -46,7 +46,8 @@ TEST_CASE("sphere pack: four spheres are hit as each of them alone, bit by bit")
     std::array<SphereGeometry, 4> spheres;
     for (SphereGeometry& s : spheres) s = {point(), std::abs(number(engine)) * 0.7};
     const double far = i % 3 == 0 ? 1e6 : 1;
-    const Ray ray{point() * far, i % 5 == 0 ? point() - point() * far : normalize(point() - point() * far)};
+    const Vec3 origin = point() * far, target = point();
+    const Ray ray{origin, i % 5 == 0 ? target - origin : normalize(target - origin)};
     const Interval all, some{std::abs(number(engine)), 2 + number(engine)};
     hits += check_alike(spheres, ray, all) + check_alike(spheres, ray, some);
   }

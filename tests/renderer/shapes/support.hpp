@@ -11,7 +11,8 @@
 /// What the tests of shapes share.
 namespace rt::test {
 
-/// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64).
+/// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64). So that they are with
+/// every compiler too, no more than one is drawn between two operators or in a call's arguments; braces have an order.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -26,12 +27,25 @@ public:
   /// As likely between 1 and 10 as between 10 and 100.
   double magnitude(double low, double high) { return low * std::pow(high / low, number(0, 1)); }
   double sign() { return bits() % 2 == 0 ? 1 : -1; }
+  double signed_magnitude(double low, double high) {
+    const double side = sign();
+    return side * magnitude(low, high);
+  }
   Vec3 vector(double low, double high) { return {number(low, high), number(low, high), number(low, high)}; }
   Vec3 direction() {
     while (true) {
       const Vec3 v = vector(-1, 1);
       if (dot(v, v) < 1 && dot(v, v) > 0.01) return normalize(v);
     }
+  }
+  Vec3 within_ball(double radius) {
+    const Vec3 way = direction();
+    return way * number(0, radius);
+  }
+  /// In any direction, as long as `magnitude` says.
+  Vec3 step(double low, double high) {
+    const Vec3 way = direction();
+    return way * magnitude(low, high);
   }
 
 private:

@@ -78,7 +78,7 @@ TEST_CASE("triangle: almost edge-on the hit is still between its corners") {
     const Vec3 normal = normalize(cross(t.points[1] - t.points[0], t.points[2] - t.points[0]));
     const Vec3 inside = (t.points[0] + t.points[1] + t.points[2]) / 3;
     const Vec3 along = normalize(reject(random.direction(), normal));
-    const Ray ray{inside - along * 10, along + normal * (random.sign() * random.magnitude(1e-20, 1e-12))};
+    const Ray ray{inside - along * 10, along + normal * random.signed_magnitude(1e-20, 1e-12)};
     for (const double distance : distances(t, ray)) {
       CHECK(std::abs(distance - 10) < 4);
       ++count;

@@ -8,7 +8,9 @@
 namespace rt::tools::oracle {
 
 /// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
-/// Generators, 2014).
+/// Generators, 2014). So that scenes are the same with every compiler, no two are drawn in the arguments of one call or
+/// on both sides of an operator: there g++ drew the last first, and what is drawn backwards now is so that the scenes of
+/// the long runs keep their numbers.
 class Dice {
 public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -26,6 +28,11 @@ public:
   int below(int count) { return static_cast<int>(unit() * count); }
   bool chance(double probability) { return unit() < probability; }
   double sign() { return chance(0.5) ? 1 : -1; }
+  /// Of a scaling: one in ten mirrors.
+  double factor(double low, double high) {
+    const double size = between(low, high);
+    return chance(0.1) ? -size : size;
+  }
   Vec3 vector(double low, double high) {
     const double x = between(low, high), y = between(low, high);
     return {x, y, between(low, high)};
@@ -39,6 +46,11 @@ public:
     do v = vector(-1, 1);
     while (dot(v, v) > 1 || dot(v, v) < 0.01);
     return normalize(v);
+  }
+  /// The same, of another length.
+  Vec3 arrow(double shortest, double longest) {
+    const double size = between(shortest, longest);
+    return direction() * size;
   }
 
   double length_unit = 1; ///< in the scene's lengths

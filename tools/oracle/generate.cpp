@@ -10,11 +10,21 @@ namespace {
 
 Block block(std::string head) { return {std::move(head), {}, {}, {}, {}, false}; }
 
+std::string rgb(Dice& dice, const char* function) {
+  const double blue = dice.unit(), green = dice.unit(), red = dice.unit();
+  return fmt::format("{}({}, {}, {})", function, text(red), text(green), text(blue));
+}
+
+std::string hsv(Dice& dice) {
+  const double value = dice.between(0.4, 1), saturation = dice.unit(), hue = dice.between(0, 360);
+  return fmt::format("hsv({}, {}, {})", text(hue), text(saturation), text(value));
+}
+
 std::string color(Dice& dice) {
   switch (dice.below(5)) {
   case 0: return fmt::format("#{:06x}", dice.below(0x1000000));
-  case 1: return fmt::format("hsv({}, {}, {})", text(dice.between(0, 360)), text(dice.unit()), text(dice.between(0.4, 1)));
-  case 2: return fmt::format("rgb({}, {}, {})", text(dice.unit()), text(dice.unit()), text(dice.unit()));
+  case 1: return hsv(dice);
+  case 2: return rgb(dice, "rgb");
   case 3: return text(dice.between(0.2, 1)); // a number is grey
   default: {
     constexpr const char* names[] = {"peru", "teal", "gold_", "orchid", "white", "tomato", "khaki", "skyblue"};
@@ -118,7 +128,8 @@ void add_row(Dice& dice, Block& file) {
   Block loop = block(fmt::format("for i in 0..<{}", 2 + dice.below(3)));
   loop.is_definition = true;
   Block bead = block("bead").set("r", fmt::format("{} + {} * i", text(dice.length(0.15, 0.3)), text(0.05 * dice.length_unit)));
-  bead.set("at", fmt::format("{} + i * {}", text(dice.point(-2, 0)), text(dice.point(0.4, 1))));
+  const Vec3 way = dice.point(0.4, 1), first = dice.point(-2, 0);
+  bead.set("at", fmt::format("{} + i * {}", text(first), text(way)));
   add_material(dice, bead, false);
   loop.things.push_back(std::move(bead));
   file.things.push_back(std::move(definition));
@@ -164,7 +175,7 @@ Block nested(Dice& dice) {
 void add_material(Dice& dice, Block& thing, bool is_in_solid) {
   const double kind = dice.unit();
   if (kind < 0.08) {
-    thing.set("material", fmt::format("linear_rgb({}, {}, {})", text(dice.unit()), text(dice.unit()), text(dice.unit())));
+    thing.set("material", rgb(dice, "linear_rgb"));
   } else if (kind < 0.16) {
     thing.set("material", checker(dice, 0, color));
   } else if (kind < 0.24 && !is_in_solid) {
@@ -223,7 +234,10 @@ Block random_camera(Dice& dice) {
   const Vec3 way{dice.between(-1, 1), is_orthographic ? dice.between(0.6, 1) : dice.between(-0.05, 0.8), dice.between(0.3, 1)};
   camera.set("at", text(normalize(way) * dice.length_unit * (is_orthographic ? 9 : dice.between(5, 9))));
   camera.set("look_at", text(dice.point(-0.4, 0.4)));
-  if (dice.chance(0.3)) camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * dice.between(0.5, 2)));
+  if (dice.chance(0.3)) {
+    const double size = dice.between(0.5, 2);
+    camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * size));
+  }
   if (is_orthographic) camera.set("projection", "orthographic").set("width", text(dice.length(3, 5)));
   else if (dice.chance(0.8)) camera.set("fov", text(dice.between(25, 75)));
   return camera;

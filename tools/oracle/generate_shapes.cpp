@@ -34,7 +34,7 @@ Block cylinder(Dice& dice, bool is_solid) {
   const bool is_infinite = dice.chance(0.12);
   if (dice.chance(0.5)) b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
   else {
-    if (dice.chance(0.7)) b.set("axis", text(dice.direction() * dice.between(0.5, 2)));
+    if (dice.chance(0.7)) b.set("axis", text(dice.arrow(0.5, 2)));
     if (!is_infinite) b.set("height", text(dice.length(0.4, 2)));
   }
   if (is_infinite) b.set("infinite", "true");
@@ -58,7 +58,7 @@ Block disc(Dice& dice) {
   Block b = block("disc");
   const double radius = dice.length(0.4, 1);
   b.set("radius", text(radius));
-  if (dice.chance(0.8)) b.set("normal", text(dice.direction() * dice.between(0.5, 2)));
+  if (dice.chance(0.8)) b.set("normal", text(dice.arrow(0.5, 2)));
   if (dice.chance(0.4)) b.set("hole", text(radius * dice.between(0.2, 0.8)));
   return b;
 }
@@ -76,8 +76,10 @@ Block triangle(Dice& dice) {
   // POV-Ray leaves out a triangle whose normals are not all on one side.
   std::vector<Vec3> normals;
   const double side = dice.sign();
-  for (int i = 0; i < 3; ++i)
-    normals.push_back((normalize(n) * side + dice.direction() * dice.between(0, 0.8)) * dice.between(0.5, 2));
+  for (int i = 0; i < 3; ++i) {
+    const double size = dice.between(0.5, 2);
+    normals.push_back((normalize(n) * side + dice.arrow(0, 0.8)) * size);
+  }
   return b.set("normals", list(normals));
 }
 
@@ -96,11 +98,13 @@ Block quad(Dice& dice) {
   const double form = dice.unit();
   if (form < 0.35) {
     b.set("size", text(dice.length(0.5, 1.5)));
-    if (dice.chance(0.8)) b.set("normal", text(dice.direction() * dice.between(0.5, 2)));
+    if (dice.chance(0.8)) b.set("normal", text(dice.arrow(0.5, 2)));
     return b;
   }
   if (form < 0.7) {
-    const Vec3 u = dice.direction(), v = normalize(cross(u, dice.direction()) + u * dice.between(-0.5, 0.5));
+    const Vec3 u = dice.direction();
+    const double slant = dice.between(-0.5, 0.5);
+    const Vec3 v = normalize(cross(u, dice.direction()) + u * slant);
     return b.set("corner", text(dice.point(-0.8, 0.2))).set("edge_u", text(u * dice.length_unit)).set("edge_v", text(v * dice.length(0.5, 1.2)));
   }
   return b.set("points", list(outline(dice, 4, 0.7, 0.9)));
@@ -114,7 +118,7 @@ Block half_space(Dice& dice) {
   case 0: return b.set("x", text(dice.length(-0.5, 0.5)));
   case 1: return b.set("y", text(dice.length(-0.5, 0.5)));
   case 2: return b.set("z", text(dice.length(-0.5, 0.5)));
-  default: return b.set("normal", text(dice.direction() * dice.between(0.5, 2))).set("offset", text(dice.length(-0.4, 0.4)));
+  default: return b.set("normal", text(dice.arrow(0.5, 2))).set("offset", text(dice.length(-0.4, 0.4)));
   }
 }
 
@@ -169,16 +173,28 @@ Block group(Dice& dice, int depth, bool is_solid) {
 
 std::string step(Dice& dice) {
   const std::string about = dice.chance(0.3) ? ", about: " + text(dice.point(-0.5, 0.5)) : "";
-  const auto factor = [&] { return text(dice.between(0.7, 1.4) * (dice.chance(0.1) ? -1 : 1)); };
+  const auto factor = [&] { return text(dice.factor(0.7, 1.4)); };
   switch (dice.below(10)) {
   case 0: return fmt::format(".scale({}{})", factor(), about);
-  case 1: return fmt::format(".scale([{}, {}, {}]{})", factor(), factor(), factor(), about);
+  case 1: {
+    const std::string z = factor(), y = factor(), x = factor();
+    return fmt::format(".scale([{}, {}, {}]{})", x, y, z, about);
+  }
   case 2: return fmt::format(".scale(y: {}{})", factor(), about);
   case 3: return fmt::format(".rotate({}{})", text(dice.vector(-180, 180)), about);
-  case 4: return fmt::format(".rotate({}: {}{})", "xyz"[dice.below(3)], text(dice.between(-180, 180)), about);
-  case 5: return fmt::format(".rotate(axis: {}, angle: {}{})", text(dice.direction()), text(dice.between(-180, 180)), about);
+  case 4: {
+    const double angle = dice.between(-180, 180);
+    return fmt::format(".rotate({}: {}{})", "xyz"[dice.below(3)], text(angle), about);
+  }
+  case 5: {
+    const double angle = dice.between(-180, 180);
+    return fmt::format(".rotate(axis: {}, angle: {}{})", text(dice.direction()), text(angle), about);
+  }
   case 6: return fmt::format(".move({})", text(dice.point(-0.4, 0.4)));
-  case 7: return fmt::format(".shear(xy: {}, zx: {}{})", text(dice.between(-0.5, 0.5)), text(dice.between(-0.5, 0.5)), about);
+  case 7: {
+    const double zx = dice.between(-0.5, 0.5), xy = dice.between(-0.5, 0.5);
+    return fmt::format(".shear(xy: {}, zx: {}{})", text(xy), text(zx), about);
+  }
   case 8: return fmt::format(".mirror({}{})", text(dice.direction()), about);
   default: {
     const Vec3 a = dice.vector(-0.3, 0.3), b = dice.vector(-0.3, 0.3), c = dice.vector(-0.3, 0.3), t = dice.point(-0.4, 0.4);
@@ -201,9 +217,8 @@ void place(Dice& dice, Block& thing, double reach) {
   thing.set("at", text(dice.point(-reach, reach)));
   if (dice.chance(0.4)) thing.set("rotate", text(dice.vector(-180, 180)));
   if (dice.chance(0.3)) {
-    const auto factor = [&] { return dice.between(0.6, 1.4) * (dice.chance(0.1) ? -1 : 1); };
-    const double f = factor();
-    thing.set("scale", dice.chance(0.4) ? text(f) : text({f, factor(), factor()}));
+    const double f = dice.factor(0.6, 1.4);
+    thing.set("scale", dice.chance(0.4) ? text(f) : text({f, dice.factor(0.6, 1.4), dice.factor(0.6, 1.4)}));
   }
   while (dice.chance(0.3)) thing.chain.push_back(step(dice));
 }

@@ -30,9 +30,13 @@ Vec3 against(const Vec3& normal, const Vec3& direction) {
 std::vector<Ray> random_rays(std::uint64_t seed, int count) {
   Dice scene(seed), dice(seed ^ 0x5261797321);
   dice.length_unit = random_length_unit(scene);
+  const auto outside = [&dice] {
+    const double away = dice.length(5, 9);
+    return dice.direction() * away;
+  };
   std::vector<Ray> rays;
   for (int i = 0; i < count; ++i) {
-    const Vec3 origin = dice.chance(0.15) ? dice.point(-2, 2) : dice.direction() * dice.length(5, 9);
+    const Vec3 origin = dice.chance(0.15) ? dice.point(-2, 2) : outside();
     rays.push_back({origin, normalize(dice.point(-2, 2) - origin)});
   }
   return rays;

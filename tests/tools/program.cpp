@@ -213,6 +213,9 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
     if (std::none_of(environment.begin(), environment.end(), [&](const auto& given) { return given.starts_with(name); }))
       environment.push_back(variable);
   }
+  // What the thread sanitizer is told counts for the program too.
+  if (const char* options_of_sanitizer = std::getenv("TSAN_OPTIONS"))
+    environment.push_back(std::string("TSAN_OPTIONS=") + options_of_sanitizer);
   const std::vector<char*> argument_list = pointers(words), environment_list = pointers(environment);
   // Opened now: who gives up root's rights may no longer reach it.
   const int file = ::open(program.c_str(), O_RDONLY | O_CLOEXEC);

@@ -138,8 +138,9 @@ void Evaluator::leave(Ref<Frame> frame) {
   }
   if (frame->references == own) frame->clear();
   else if (may_hold_itself) suspects_.push_back(std::move(frame));
-  if (suspects_.size() < 1 << 14) return;
+  if (suspects_.size() < next_sweep_) return;
   std::erase_if(suspects_, [](const Ref<Frame>& f) { return f->references == 1; });
+  next_sweep_ = std::max(next_sweep_, 2 * suspects_.size()); // so that many that stay are not looked at again and again
 }
 
 } // namespace rt::lang

@@ -292,6 +292,7 @@ private:
   Ref<Frame> library_, main_;
   std::vector<std::pair<const ModuleInfo*, Value>> modules_;
   std::vector<Ref<Frame>> suspects_;   // frames that may be kept alive by what they hold
+  std::size_t next_sweep_ = std::size_t{1} << 14; // how many of them are looked through next
   std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
   Gathered scene_properties_;
   std::optional<Span> camera_place_;

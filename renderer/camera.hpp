@@ -19,10 +19,13 @@ public:
     return {origin_, normalize(forward_ + across)};
   }
 
-  /// The ray of one sample of a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
-  Ray ray(int pixel_x, int pixel_y, int sample, int n) const {
-    return ray(pixel_x + (sample % n + 0.5) / n, pixel_y + (sample / n + 0.5) / n);
-  }
+  /// The place of one sample within a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
+  struct Place {
+    double x, y;
+    Place(int sample, int n) : x((sample % n + 0.5) / n), y((sample / n + 0.5) / n) {}
+  };
+  Ray ray(int pixel_x, int pixel_y, const Place& place) const { return ray(pixel_x + place.x, pixel_y + place.y); }
+  Ray ray(int pixel_x, int pixel_y, int sample, int n) const { return ray(pixel_x, pixel_y, Place(sample, n)); }
 
   /// Whether all rays start at the same point.
   bool has_one_eye() const { return !is_orthographic_; }

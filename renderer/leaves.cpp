@@ -86,12 +86,11 @@ double SolidLeaves::ior(std::uint32_t i, const Styles& styles, StyleId inherited
   return leaves_[i].solid->ior(styles, inherited);
 }
 
-void SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit, LeafSurface& s) const {
+LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit) const {
   const Leaf& leaf = leaves_[hit.index];
   const Ray ray = leaf.is_in_place ? outer : carried(leaf, outer);
   const StyleId own = tags_[hit.index].style_id();
-  s.point = leaf.solid->point(ray, hit);
-  s.style = leaf.solid->operand(hit.operand).style;
+  LeafSurface s{leaf.solid->point(ray, hit), leaf.solid->operand(hit.operand).style, own};
   if (s.style != inherited_style) s.pattern_point = styles.pattern_point(s.style, s.point.position);
   if (!leaf.is_in_place) s.point = mapped(s.point, leaf.to_outer, leaf.to_local);
   if (s.style == inherited_style && own != inherited_style) {
@@ -99,7 +98,7 @@ void SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& 
     s.pattern_point = styles.pattern_point(own, s.point.position);
   }
   s.solids = this;
-  s.leaf_style = own;
+  return s;
 }
 
 Box3 InstanceLeaves::bounds(std::uint32_t i) const {
@@ -135,8 +134,9 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
   return leaf.assembly->blocks(inner);
 }
 
-void InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&, LeafSurface&) const {
+LeafSurface InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&) const {
   assert(false && "a hit is on a leaf of the instance's assembly");
+  return {};
 }
 
 } // namespace rt

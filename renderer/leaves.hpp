@@ -23,13 +23,13 @@ struct LeafTag {
 
 class SolidLeaves;
 
-/// The surface at a hit, in the space of the leaf's assembly. It is filled in where it is to stay: copying it at once
-/// would wait for every one of its parts.
+/// The surface at a hit, in the space of the leaf's assembly. It is made where it is to stay: a copy would wait for every
+/// one of its parts to be written.
 struct LeafSurface {
   SurfacePoint point;
   StyleId style = inherited_style;                ///< of the surface
-  Vec3 pattern_point;                             ///< unless it is inherited
   StyleId leaf_style = inherited_style;           ///< of the leaf as a whole: where it decides about the medium
+  Vec3 pattern_point{};                           ///< unless the style is inherited
   const SolidLeaves* solids = nullptr;            ///< those of a combination, whose medium may be another's
   const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
 };
@@ -38,7 +38,7 @@ struct LeafSurface {
 /// several shapes; then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
 struct LeafKind {
   LeafTag (*tag)(const void* leaves, std::uint32_t index);
-  void (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& result);
+  LeafSurface (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit);
   void (*nearest)(const void* leaves, std::uint32_t index, NearestQuery& query);
   bool (*blocks)(const void* leaves, std::uint32_t index, ShadowQuery& query);
 };
@@ -46,8 +46,8 @@ struct LeafKind {
 template <class Leaves>
 inline constexpr LeafKind leaf_kind{
     [](const void* leaves, std::uint32_t index) { return static_cast<const Leaves*>(leaves)->tag(index); },
-    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& result) {
-      static_cast<const Leaves*>(leaves)->surface(styles, ray, hit, result);
+    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit) {
+      return static_cast<const Leaves*>(leaves)->surface(styles, ray, hit);
     },
     [](const void* leaves, std::uint32_t index, NearestQuery& query) {
       static_cast<const Leaves*>(leaves)->nearest(index, query);
@@ -88,13 +88,13 @@ public:
     return false;
   }
 
-  void surface(const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& s) const {
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
     const Placed& p = shapes_[hit.index];
     const StyleId style = tags_[hit.index].style_id();
-    s.point = p.point(ray, {hit.t, hit.shape_part});
-    s.style = s.leaf_style = style;
+    LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), style, style};
     if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
     if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
+    return s;
   }
 
 private:
@@ -123,7 +123,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  void surface(const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& s) const;
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const;
 
   /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
   /// one. `inherited` is the style that its parts inherit: its own if it has one.
@@ -156,7 +156,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  void surface(const Styles&, const Ray&, const RayHit&, LeafSurface&) const; // never the leaf that is hit
+  LeafSurface surface(const Styles&, const Ray&, const RayHit&) const; // never the leaf that is hit
 
 private:
   std::vector<Leaf> leaves_;

@@ -2,6 +2,7 @@
 
 #include "renderer/camera.hpp"
 #include "renderer/integrators/whitted.hpp"
+#include "renderer/static_vector.hpp"
 #include "renderer/traceable.hpp"
 
 #include <algorithm>
@@ -127,14 +128,14 @@ private:
     // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
     bool trace_block(const PixelRect& block) {
       const int n = job_.side_;
-      const auto count = static_cast<std::size_t>(block.width() * block.height());
       std::array<Color, accel::packet_size> sums{}, values;
-      std::array<Ray, accel::packet_size> rays;
       for (int sample = 0; sample < n * n; ++sample) {
-        for_each_pixel(block, [&](int x, int y, std::size_t i) { rays[i] = job_.camera_.ray(x, y, sample, n); });
-        trace_rays(std::span(rays).first(count), values);
+        const CameraRays::Place place(sample, n);
+        StaticVector<Ray, accel::packet_size> rays;
+        for_each_pixel(block, [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
+        trace_rays(rays, values);
         if (job_.is_stopped()) return false;
-        for (std::size_t i = 0; i < count; ++i) sums[i] += values[i];
+        for (std::size_t i = 0; i < rays.size(); ++i) sums[i] += values[i];
       }
       for_each_pixel(block, [&](int x, int y, std::size_t i) {
         const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);

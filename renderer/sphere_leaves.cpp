@@ -54,13 +54,6 @@ Box3 ShapeLeaves<InPlace<SphereGeometry>>::bounds(std::uint32_t i) const {
   return box;
 }
 
-void ShapeLeaves<InPlace<SphereGeometry>>::filter(const SphereGeometry& sphere, LeafTag tag, ShadowQuery& query) {
-  Hit hit;
-  std::uint32_t sequence = 0;
-  for (Interval rest = query.interval; intersect(sphere, query.ray, rest, hit); rest.lower = hit.t)
-    query.add_filter(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
-}
-
 bool ShapeLeaves<InPlace<SphereGeometry>>::inspect(std::uint32_t i, InspectQuery& query) const {
   const auto count = static_cast<std::uint32_t>(tags_.size());
   for (std::uint32_t index = i * SpherePack::size; index < std::min(count, (i + 1) * SpherePack::size); ++index) {

@@ -22,35 +22,42 @@ public:
   void arrange();
 
   void nearest(std::uint32_t i, NearestQuery& query) const {
-    std::array<double, SpherePack::size> t;
-    for (unsigned hits = intersect(packs_[i], query.ray, query.interval, t); hits != 0; hits &= hits - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
-      if (t[lane] > query.interval.upper) continue; // another of the four is nearer
+    const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
+    for (unsigned rest = chords.meets(); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
+      Hit near, far, hit;
+      chords[lane].roots(near.t, far.t);
+      if (!take_first(near, far, query.interval, hit)) continue;
       const std::uint32_t sphere = i * SpherePack::size + lane;
-      query.offer({t[lane], 0}, tags_[sphere].slot, sphere, leaf_kind<ShapeLeaves>, this);
+      query.offer(hit, tags_[sphere].slot, sphere, leaf_kind<ShapeLeaves>, this);
     }
   }
 
   bool blocks(std::uint32_t i, ShadowQuery& query) const {
     if (query.inspects) [[unlikely]]
       return inspect(i, static_cast<InspectQuery&>(query));
-    std::array<double, SpherePack::size> t;
-    for (unsigned hits = intersect(packs_[i], query.ray, query.interval, t); hits != 0; hits &= hits - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
+    const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
+    for (unsigned rest = chords.meets(); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
       const LeafTag tag = tags_[i * SpherePack::size + lane];
       if (!tag.casts_shadow) continue;
+      double near = 0, far = 0;
+      chords[lane].roots(near, far);
+      const bool has_near = query.interval.contains(near), has_far = far > near && query.interval.contains(far);
+      if (!has_near && !has_far) continue;
       if (query.styles.is_opaque(query.resolved(tag.style_id()))) return true;
-      filter(packs_[i].sphere(lane), tag, query);
+      if (has_near) query.add_filter(near, tag.slot, 0, query.transmittance(tag.style_id(), near));
+      if (has_far) query.add_filter(far, tag.slot, has_near, query.transmittance(tag.style_id(), far));
     }
     return false;
   }
 
-  void surface(const Styles& styles, const Ray& ray, const RayHit& hit, LeafSurface& s) const {
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
     const SphereGeometry sphere = packs_[hit.index / SpherePack::size].sphere(hit.index % SpherePack::size);
     const StyleId style = tags_[hit.index].style_id();
-    s.point = surface_point(sphere, ray, {hit.t, hit.shape_part});
-    s.style = s.leaf_style = style;
+    LeafSurface s{surface_point(sphere, ray, {hit.t, hit.shape_part}), style, style};
     if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
+    return s;
   }
 
 private:
@@ -59,7 +66,6 @@ private:
     LeafTag tag;
   };
 
-  static void filter(const SphereGeometry& sphere, LeafTag tag, ShadowQuery& query);
   bool inspect(std::uint32_t i, InspectQuery& query) const;
 
   std::vector<Added> added_; // until arranged

@@ -1,5 +1,7 @@
 #include "renderer/traceable.hpp"
 
+#include "renderer/static_vector.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -9,13 +11,18 @@
 namespace rt {
 namespace {
 
+// How a smooth triangle is shaded.
+struct Smoothness {
+  Vec3 weights;                // of its corners
+  std::array<Vec3, 3> normals; // theirs
+};
+
 // A hit's surface on its way from the leaf's assembly out to the scene.
 struct Resolved {
   LeafSurface leaf;
   std::uint64_t order = 0;
-  std::optional<double> ior;   // as soon as it is known
-  Vec3 weights;                // of a smooth triangle's corners
-  std::array<Vec3, 3> normals; // theirs
+  std::optional<double> ior{};   // as soon as it is known
+  std::optional<Smoothness> smoothness{};
 };
 
 // `style` is the leaf's or what it inherits.
@@ -24,25 +31,24 @@ void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId
   r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, styles, style) : styles.ior(style);
 }
 
-void resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit, Resolved& r) {
-  hit.kind->surface(hit.leaves, styles, ray, hit, r.leaf);
-  r.order = hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot);
+Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
+  Resolved r{hit.kind->surface(hit.leaves, styles, ray, hit),
+             hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot)};
   settle_medium(r, styles, hit, r.leaf.leaf_style);
-  if (r.leaf.smooth) {
-    r.weights = barycentric(r.leaf.smooth->flat, r.leaf.point.position);
-    r.normals = r.leaf.smooth->normals;
-  }
+  if (r.leaf.smooth)
+    r.smoothness = Smoothness{barycentric(r.leaf.smooth->flat, r.leaf.point.position), r.leaf.smooth->normals};
+  return r;
 }
 
 // `first` is the order of the assembly's first leaf.
-void resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit, std::uint64_t first,
-             Resolved& r) {
-  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit, r);
+Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit,
+                 std::uint64_t first) {
+  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit);
   std::uint32_t slot = 0;
   const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
   const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
-  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order, r);
-  resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order, r);
+  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order);
+  Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
   r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
   const StyleId style = step.leaves->tag(step.index).style_id();
   if (r.leaf.style == inherited_style && style != inherited_style) {
@@ -50,16 +56,17 @@ void resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, con
     r.leaf.pattern_point = styles.pattern_point(style, r.leaf.point.position);
   }
   settle_medium(r, styles, hit, style);
-  if (r.leaf.smooth)
-    for (Vec3& normal : r.normals) normal = instance.to_outer.normal(normal);
+  if (r.smoothness)
+    for (Vec3& normal : r.smoothness->normals) normal = instance.to_outer.normal(normal);
+  return r;
 }
 
 // Corner normals are carried to the scene and normalised before they are interpolated, as POV-Ray does.
-Vec3 smooth_normal(const Resolved& r) {
-  const Vec3 n = normalize(r.normals[0]) * r.weights.x + normalize(r.normals[1]) * r.weights.y +
-                 normalize(r.normals[2]) * r.weights.z;
+Vec3 smooth_normal(const Smoothness& s, const Vec3& geometric_normal) {
+  const Vec3 n = normalize(s.normals[0]) * s.weights.x + normalize(s.normals[1]) * s.weights.y +
+                 normalize(s.normals[2]) * s.weights.z;
   const double size = length(n);
-  return size > 0 ? n / size : r.leaf.point.normal;
+  return size > 0 ? n / size : geometric_normal;
 }
 
 // What filters leave of light. They were found in no particular order, and products depend on it by their rounding.
@@ -72,23 +79,6 @@ Color through(std::vector<Filter>& filters) {
   for (const Filter& filter : filters) left *= filter.transmittance;
   return left;
 }
-
-// Queries that travel together.
-template <class Query>
-class Packet {
-public:
-  template <class... T>
-  void add(T&&... arguments) {
-    pointers_[count_] = &storage_[count_].emplace(std::forward<T>(arguments)...);
-    ++count_;
-  }
-  std::span<accel::Query* const> queries() const { return {pointers_.data(), count_}; }
-
-private:
-  std::array<std::optional<Query>, accel::packet_size> storage_;
-  std::array<accel::Query*, accel::packet_size> pointers_;
-  std::size_t count_ = 0;
-};
 
 } // namespace
 
@@ -120,24 +110,29 @@ Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScrat
 
 void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
                         TraceScratch& scratch) const {
-  Packet<NearestQuery> packet;
+  StaticVector<NearestQuery, accel::packet_size> queries;
+  std::array<accel::Query*, accel::packet_size> packet;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {};
-    packet.add(rays[i], range, compiled_.root(), 0, hits[i], scratch);
+    packet[i] = &queries.add([&] { return NearestQuery(rays[i], range, compiled_.root(), 0, hits[i], scratch); });
   }
-  compiled_.root().nearest(packet.queries());
+  compiled_.root().nearest(std::span(packet).first(rays.size()));
 }
 
-void Traceable::transmittance(std::span<const Ray> rays, std::span<const Interval> ranges, std::span<Color> results,
-                              std::span<TraceScratch> scratch) const {
-  Packet<ShadowQuery> packet;
+void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
+  StaticVector<ShadowQuery, accel::packet_size> queries;
+  std::array<accel::Query*, accel::packet_size> packet;
+  const StyleId style = compiled_.styles().default_style();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     scratch[i].filters.clear();
-    packet.add(rays[i], ranges[i], compiled_.root(), 0, compiled_.styles(),
-               InheritedStyle{compiled_.styles().default_style(), &rays[i]}, scratch[i]);
+    packet[i] = &queries.add([&] {
+      return ShadowQuery(rays[i].ray, rays[i].range, compiled_.root(), 0, compiled_.styles(), {style, &rays[i].ray},
+                         scratch[i]);
+    });
   }
-  const auto blocked = compiled_.root().blocks(packet.queries());
-  for (std::size_t i = 0; i < rays.size(); ++i) results[i] = blocked[i] ? black : through(scratch[i].filters);
+  const auto blocked = compiled_.root().blocks(std::span(packet).first(rays.size()));
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    *rays[i].transmittance = blocked[i] ? black : through(scratch[i].filters);
 }
 
 bool Traceable::casts_shadow(const RayHit& hit) const {
@@ -169,18 +164,18 @@ Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) 
   return left;
 }
 
-void Traceable::surface(const Ray& ray, const RayHit& hit, Surface& s) const {
+Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
   const Styles& styles = compiled_.styles();
-  Resolved r;
-  resolve(compiled_.root(), styles, ray, hit, 0, r);
-  s.point = r.leaf.point.position;
-  s.geometric_normal = r.leaf.point.normal;
-  s.shading_normal = r.leaf.smooth ? smooth_normal(r) : r.leaf.point.normal;
-  s.offset = r.leaf.point.error;
-  s.order = r.order;
-  s.material = styles.material(r.leaf.style);
-  s.pattern_point = r.leaf.pattern_point;
-  s.ior = r.ior.value_or(1);
+  const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
+  const Vec3& normal = r.leaf.point.normal;
+  return {r.leaf.point.position,
+          normal,
+          r.smoothness ? smooth_normal(*r.smoothness, normal) : normal,
+          r.leaf.point.error,
+          r.order,
+          styles.material(r.leaf.style),
+          r.leaf.pattern_point,
+          r.ior.value_or(1)};
 }
 
 std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {

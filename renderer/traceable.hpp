@@ -13,6 +13,13 @@ struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
 };
 
+/// A ray to a lamp, in a packet.
+struct ShadowRay {
+  Ray ray;
+  Interval range;
+  Color* transmittance; ///< where the result goes
+};
+
 /// The surface at a hit, in the scene's space.
 struct Surface {
   Vec3 point;
@@ -44,21 +51,15 @@ public:
   /// The same for up to `accel::packet_size` rays that run close together: sooner, with the same results, one in `hits`
   /// for each ray.
   void nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits, TraceScratch& scratch) const;
-  /// `ranges` and `results` go with the rays; each uses the scratch of its place.
-  void transmittance(std::span<const Ray> rays, std::span<const Interval> ranges, std::span<Color> results,
-                     std::span<TraceScratch> scratch) const;
+  /// Each ray uses the scratch of its place.
+  void transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const;
 
   /// The same from surface to surface, where one counts only if it is more than `gap` behind the one before (or the
   /// ray's origin), as POV-Ray goes. Slow: for explaining single pixels.
   Color transmittance_by_steps(const Ray& ray, double end, double gap) const;
 
   /// What is to be known of a hit of `ray`.
-  Surface surface(const Ray& ray, const RayHit& hit) const {
-    Surface result;
-    surface(ray, hit, result);
-    return result;
-  }
-  void surface(const Ray& ray, const RayHit& hit, Surface& result) const;
+  Surface surface(const Ray& ray, const RayHit& hit) const;
   const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
     return compiled_.styles().values(surface.material, surface.pattern_point, scratch);
   }

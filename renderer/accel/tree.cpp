@@ -13,11 +13,12 @@ namespace {
 
 constexpr float single_infinity = std::numeric_limits<float>::infinity();
 
-// In the scaled space all of the scene lies within ±1, and a ray starts there and goes no farther than 2√3. To single
-// precision (ε = 2⁻²⁴) its origin moves by ε/2 and its direction turns by ε. Embree's traversal (the fast one, whatever
-// the scene's flags, for user geometries) gets each slab's t right to 5ε of t, and compares those of two axes: a slip
-// of 2 · 5ε · 2√3 < 36ε in all. 64ε leaves room for t's own rounding and for the advance of origins that lie far away.
-constexpr double padding = 0x1p-18;
+// In the scaled space all of the scene lies within ±1. A ray starts within ±4, to which it is advanced if need be, and
+// goes no farther than 5√3 there. To single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its direction
+// turns by ε. Embree's traversal (the fast one, whatever the scene's flags, for user geometries) gets each slab's t right
+// to 5ε of t, and compares those of two axes: a slip of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε leaves room for t's
+// own rounding.
+constexpr double reach = 4, padding = 0x1p-17;
 
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
@@ -44,7 +45,7 @@ bool meets(const Query& query, const Box3& box, double& start) {
       if (o < box.lower[axis] || o > box.upper[axis]) return false;
       continue;
     }
-    const double a = (box.lower[axis] - o) / d, b = (box.upper[axis] - o) / d;
+    const double inverse = 1 / d, a = (box.lower[axis] - o) * inverse, b = (box.upper[axis] - o) * inverse;
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));
   }
@@ -115,16 +116,19 @@ struct Tree::Entry {
 };
 
 inline bool Tree::enter(Query& query, Entry& entry) const {
-  double start = 0;
-  const bool starts_inside = query.interval.lower == 0 && bounds_.contains(query.ray.origin);
-  if (!starts_inside && !meets(query, bounds_, start)) return false;
-  // The way it is scaled does not matter as long as it is about a unit vector, as most are.
-  const double power = dot(query.ray.direction, query.ray.direction);
-  const double speed = power > 0.25 && power < 4 ? 1 : std::sqrt(power);
-  const Vec3 origin = (query.ray.at(start) - center_) * scale_, direction = query.ray.direction * (1 / speed);
-  query.start_ = start;
-  query.scale_ = speed * scale_;
-
+  Vec3 origin = (query.ray.origin - center_) * scale_, direction = query.ray.direction;
+  query.start_ = 0;
+  query.scale_ = scale_;
+  if (query.interval.lower < 0 || !(max_component(abs(origin)) <= reach)) {
+    if (!meets(query, bounds_, query.start_)) return false;
+    origin = (query.ray.at(query.start_) - center_) * scale_;
+  }
+  // How long it is does not matter as long as it is about a unit vector, as most are.
+  if (!(query.inverse_square > 0.25 && query.inverse_square < 4)) {
+    const double speed = std::sqrt(dot(direction, direction));
+    direction = direction * (1 / speed);
+    query.scale_ = speed * scale_;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     entry.origin[axis] = static_cast<float>(origin[axis]);
     entry.direction[axis] = static_cast<float>(direction[axis]);

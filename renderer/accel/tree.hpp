@@ -40,10 +40,11 @@ private:
 /// exactly is still shown, so that callbacks can decide ties by a rule of their own.
 class Query {
 public:
-  Query(const Ray& r, const Interval& i) : ray(r), interval(i) {}
+  Query(const Ray& r, const Interval& i) : ray(r), interval(i), inverse_square(1 / dot(r.direction, r.direction)) {}
 
   Ray ray; ///< in the tree's space; t counts lengths of its direction, which need not be a unit vector
   Interval interval;
+  double inverse_square; ///< 1 / |direction|²
 
 private:
   friend class Tree;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <png.h>
+#include <zlib.h>
 
 // libpng reports errors by longjmp, which skips destructors: the functions that call setjmp hold nothing but references to
 // what their callers own.
@@ -71,9 +72,9 @@ bool write(Writer& writer, const Film& film, int bits, const SrgbQuantiser& quan
            std::vector<png_byte>& row, std::string& bytes) {
   if (setjmp(png_jmpbuf(writer.png))) return false;
   png_set_write_fn(writer.png, &bytes, append, flush);
-  // Measured on a rendered picture: a fifth of the time that the defaults take, for a file a seventh larger.
-  png_set_compression_level(writer.png, 2);
-  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  // Measured on rendered pictures: a tenth of the time that the defaults take, for files a seventh larger.
+  png_set_compression_strategy(writer.png, Z_RLE);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(film.width), static_cast<png_uint_32>(film.height), bits,
                PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);

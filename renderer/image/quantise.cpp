@@ -33,9 +33,8 @@ std::uint16_t SrgbQuantiser::operator()(float linear) const {
   if (bits_ != 8) return by_formula(linear, 65535);
   if (!(linear > 0)) return 0;
   if (linear >= 1) return 255;
-  std::size_t code = lowest_[static_cast<std::size_t>(linear * buckets)];
-  while (linear >= first_of_next_[code]) ++code;
-  return static_cast<std::uint16_t>(code);
+  const std::size_t code = lowest_[static_cast<std::size_t>(linear * buckets)];
+  return static_cast<std::uint16_t>(code + (linear >= first_of_next_[code]));
 }
 
 } // namespace rt

@@ -14,7 +14,7 @@ public:
   std::uint16_t operator()(float linear) const;
 
 private:
-  static constexpr int buckets = 4096;
+  static constexpr int buckets = 4096; // no code is so narrow that a bucket meets more than two
   int bits_;
   std::array<float, 256> first_of_next_{};        ///< the least value above code k's own
   std::array<std::uint8_t, buckets + 1> lowest_{}; ///< the code of a bucket's least value

@@ -3,6 +3,7 @@
 #include "renderer/integrators/interiors.hpp"
 #include "renderer/integrators/optics.hpp"
 #include "renderer/integrators/recorder.hpp"
+#include "renderer/static_vector.hpp"
 #include "renderer/traceable.hpp"
 
 #include <algorithm>
@@ -53,8 +54,8 @@ public:
 
   /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
   Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
-    std::array<Path, 1> path;
-    start(path[0], ray, inside, 0);
+    StaticVector<Path, 1> path;
+    start(path, ray, inside);
     trace<1>(path, 0);
     return path[0].sum;
   }
@@ -65,9 +66,9 @@ public:
     if constexpr (is_recorded) {
       for (std::size_t i = 0; i < rays.size(); ++i) results[i] = radiance(rays[i], inside);
     } else {
-      std::array<Path, group_size> paths;
-      for (std::size_t i = 0; i < rays.size(); ++i) start(paths[i], rays[i], inside, i);
-      trace<group_size>(std::span(paths).first(rays.size()), 0);
+      StaticVector<Path, group_size> paths;
+      for (const Ray& ray : rays) start(paths, ray, inside);
+      trace<group_size>(paths, 0);
       for (std::size_t i = 0; i < rays.size(); ++i) results[i] = paths[i].sum;
     }
   }
@@ -96,14 +97,14 @@ private:
 
   // A ray on its way, and what it has gathered.
   struct Path {
-    RayKind kind = RayKind::camera;
+    RayKind kind;
     Ray ray;
-    Color weight = white; // for the recorder
-    List inside;          // where the ray is
-    InteriorLists* interiors = nullptr;
+    List inside; // where the ray is
+    InteriorLists* interiors;
     std::uint32_t owned_from = 0; // lists from there on are this ray's own
     Color sum = black,
-          passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
+          passed = white;         // what was gathered before surfaces that were crossed unbent, and what they let by
+    Color weight = white;         // for the recorder
   };
 
   // One ray has met one surface.
@@ -111,43 +112,43 @@ private:
     Path* path;
     double t;
     Surface surface;
-    const MaterialValues* values;
-    Vec3 normal;   // to the viewer
-    double cosine; // between the ray and the normal, positive
-    Color body;    // the share of the colour that is not transparent
-    Color light;   // that leaves the surface towards the viewer by itself
+    const MaterialValues* values = nullptr;
+    Vec3 normal{};     // to the viewer
+    double cosine = 0; // between the ray and the normal, positive
+    Color body{};      // the share of the colour that is not transparent
+    Color light{};     // that leaves the surface towards the viewer by itself
   };
 
   // How a lamp's light comes to a surface.
   struct Arrival {
-    Incidence incidence{};
+    Incidence incidence;
     double cos_light = 0;
-    Color filter;
+    Color filter = white;
     bool is_facing() const { return cos_light > 0 && incidence.color != black; }
   };
 
   // Where the ray goes from there.
   struct Ways {
-    Color rho = black, tau = black;
+    const Meeting* meeting;
     Interior interior;
-    Passage passage;
+    Color rho = black, tau = black;
+    Passage passage{};
     double eta = 1, cos_behind = 1;
     bool is_total = false, is_transparent = false, is_bent = false;
   };
 
-  // Those that go the same way from a group's surfaces. `from` is where each left the group.
+  // Those that go the same way from a group's surfaces, and where each left the group.
   template <std::size_t Size>
   struct Branch {
-    std::array<Path, Size> paths;
-    std::array<std::size_t, Size> from;
-    std::size_t count = 0;
+    StaticVector<Path, Size> paths;
+    std::array<const Ways*, Size> from;
   };
 
-  void start(Path& path, const Ray& ray, const std::vector<Interior>& inside, std::size_t place) {
-    path.ray = ray;
-    path.interiors = &interiors_[place];
-    path.interiors->release(0);
-    path.inside = path.interiors->make(inside);
+  template <std::size_t Size>
+  void start(StaticVector<Path, Size>& paths, const Ray& ray, const std::vector<Interior>& inside) {
+    InteriorLists& interiors = interiors_[paths.size()];
+    interiors.release(0);
+    paths.add([&] { return Path{RayKind::camera, ray, interiors.make(inside), &interiors}; });
   }
 
   // Gathers what comes in along the paths, which are of one depth.
@@ -173,61 +174,62 @@ private:
     std::size_t count = paths.size();
     for (std::size_t i = 0; i < count; ++i) going[i] = &paths[i];
     for (int crossings = 0; count > 0 && crossings < max_crossings && !is_stopped(); ++crossings) {
-      std::array<Meeting, Size> storage;
-      const std::span<Meeting> meetings = std::span(storage).first(meet<Size>(std::span(going).first(count), storage));
+      StaticVector<Meeting, Size> meetings;
+      meet(std::span(going).first(count), meetings);
       const bool is_together = stays_together(meetings);
-      shade<Size>(meetings, is_together);
-      count = go_on<Size>(meetings, is_together, depth, going);
+      shade(meetings, is_together);
+      count = go_on(meetings, is_together, depth, going);
     }
   }
 
   bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
 
-  // Finds what the paths meet; those that meet nothing see the background. How many meetings there are.
+  // Finds what the paths meet; those that meet nothing see the background.
   template <std::size_t Size>
-  std::size_t meet(std::span<Path* const> paths, std::array<Meeting, Size>& meetings) {
+  void meet(std::span<Path* const> paths, StaticVector<Meeting, Size>& meetings) {
     constexpr Interval range{Tolerances::nearest, Tolerances::farthest};
-    std::array<RayHit, Size> hits;
-    if (Size == 1 || paths.size() < least_group) {
-      for (std::size_t i = 0; i < paths.size(); ++i) hits[i] = scene_.nearest(paths[i]->ray, range, scratch_[0]);
+    StaticVector<RayHit, Size> hits;
+    if (Size > 1 && paths.size() >= least_group) {
+      StaticVector<Ray, Size> rays;
+      for (const Path* path : paths) rays.add([&] { return path->ray; }), hits.add([] { return RayHit{}; });
+      scene_.nearest(rays, range, hits, scratch_[0]);
     } else {
-      std::array<Ray, Size> rays;
-      for (std::size_t i = 0; i < paths.size(); ++i) rays[i] = paths[i]->ray;
-      scene_.nearest(std::span(rays).first(paths.size()), range, hits, scratch_[0]);
+      for (const Path* path : paths) hits.add([&] { return scene_.nearest(path->ray, range, scratch_[0]); });
     }
-    std::size_t count = 0;
     for (std::size_t i = 0; i < paths.size(); ++i) {
       Path& path = *paths[i];
-      if (!hits[i]) {
+      if (hits[i]) {
+        meet(path, hits[i], meetings);
+      } else {
         recorder_.miss(scene_.background());
         path.sum += path.passed * scene_.background();
-        continue;
       }
-      Meeting& m = meetings[count];
-      m.path = &path;
-      m.t = hits[i].t;
-      scene_.surface(path.ray, hits[i], m.surface);
-      m.normal =
-          dot(m.surface.shading_normal, path.ray.direction) > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
-      m.values = &scene_.values(m.surface, values_[count]);
-      m.cosine = -dot(m.normal, path.ray.direction);
-      recorder_.surface(hits[i], m.surface, *m.values, m.normal);
-      ++count;
     }
-    return count;
+  }
+
+  template <std::size_t Size>
+  void meet(Path& path, const RayHit& hit, StaticVector<Meeting, Size>& meetings) {
+    MaterialValues& values = values_[meetings.size()];
+    Meeting& m = meetings.add([&] { return Meeting{&path, hit.t, scene_.surface(path.ray, hit)}; });
+    m.values = &scene_.values(m.surface, values);
+    const double approach = dot(m.surface.shading_normal, path.ray.direction);
+    m.normal = approach > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
+    m.cosine = std::abs(approach);
+    recorder_.surface(hit, m.surface, *m.values, m.normal);
   }
 
   // Whether the rays of a group are still close to one another where they meet surfaces. It decides about speed alone.
-  static bool stays_together(std::span<const Meeting> meetings) {
+  template <std::size_t Size>
+  static bool stays_together(const StaticVector<Meeting, Size>& meetings) {
     if (meetings.size() < least_group) return false;
     double least = meetings[0].t, most = least;
-    for (const Meeting& m : meetings.subspan(1)) least = std::min(least, m.t), most = std::max(most, m.t);
+    for (const Meeting& m : meetings) least = std::min(least, m.t), most = std::max(most, m.t);
     return most - least < least * 0.05;
   }
 
   // The surfaces' own light, and what the lamps give.
   template <std::size_t Size>
-  void shade(std::span<Meeting> meetings, bool is_together) {
+  void shade(StaticVector<Meeting, Size>& meetings, bool is_together) {
     for (Meeting& m : meetings) {
       const MaterialValues& v = *m.values;
       m.body = v.color * (1 - v.refract);
@@ -237,42 +239,35 @@ private:
     }
     for (std::uint32_t index = 0; index < scene_.lamps().size(); ++index) {
       const Lamp& lamp = scene_.lamps()[index];
-      std::array<Arrival, Size> arrivals;
-      for (std::size_t i = 0; i < meetings.size(); ++i) approach(lamp, meetings[i], arrivals[i]);
-      if (lamp.shadows) cast_shadows<Size>(meetings, arrivals, is_together);
+      StaticVector<Arrival, Size> arrivals;
+      for (const Meeting& m : meetings) approach(lamp, m, arrivals);
+      if (lamp.shadows) cast_shadows(meetings, arrivals, is_together);
       for (std::size_t i = 0; i < meetings.size(); ++i) meetings[i].light += light(meetings[i], arrivals[i], index);
     }
     for (const Meeting& m : meetings) m.path->sum += m.path->passed * m.light;
   }
 
   // Before shadows.
-  static void approach(const Lamp& lamp, const Meeting& m, Arrival& arrival) {
-    arrival.incidence = incidence(lamp, m.surface.point);
+  template <std::size_t Size>
+  static void approach(const Lamp& lamp, const Meeting& m, StaticVector<Arrival, Size>& arrivals) {
+    Arrival& arrival = arrivals.add([&] { return Arrival{incidence(lamp, m.surface.point)}; });
     arrival.cos_light = dot(m.normal, arrival.incidence.to_light);
-    arrival.filter = white;
   }
 
   template <std::size_t Size>
-  void cast_shadows(std::span<const Meeting> meetings, std::span<Arrival> arrivals, bool is_together) {
-    std::array<Arrival*, Size> facing;
-    std::array<Ray, Size> rays;
-    std::array<Interval, Size> ranges;
-    std::size_t count = 0;
+  void cast_shadows(const StaticVector<Meeting, Size>& meetings, StaticVector<Arrival, Size>& arrivals,
+                    bool is_together) {
+    StaticVector<ShadowRay, Size> rays;
     for (std::size_t i = 0; i < meetings.size(); ++i) {
-      if (!arrivals[i].is_facing()) continue;
-      facing[count] = &arrivals[i];
-      rays[count] = shadow_ray(meetings[i].surface, arrivals[i].incidence);
-      ranges[count] = shadow_range(arrivals[i].incidence);
-      ++count;
+      Arrival& a = arrivals[i];
+      if (a.is_facing())
+        rays.add([&] { return ShadowRay{shadow_ray(meetings[i].surface, a.incidence), shadow_range(a.incidence), &a.filter}; });
     }
-    counts_.shadow += count;
-    if (Size > 1 && Tolerances::moves_origins && is_together && count >= least_group) {
-      std::array<Color, Size> filters;
-      scene_.transmittance(std::span(rays).first(count), std::span(ranges).first(count), filters, scratch_);
-      for (std::size_t i = 0; i < count; ++i) facing[i]->filter = filters[i];
-    } else {
-      for (std::size_t i = 0; i < count; ++i) facing[i]->filter = transmittance(rays[i], ranges[i]);
-    }
+    counts_.shadow += rays.size();
+    if (Size > 1 && Tolerances::moves_origins && is_together && rays.size() >= least_group)
+      scene_.transmittance(rays, scratch_);
+    else
+      for (const ShadowRay& ray : rays) *ray.transmittance = transmittance(ray.ray, ray.range);
   }
 
   Color transmittance(const Ray& ray, const Interval& range) {
@@ -311,34 +306,37 @@ private:
   // Adds what comes in by mirrored rays, and by refracted ones where they are bent. `going` becomes the paths that go
   // on unbent, behind the surfaces; the result is their number.
   template <std::size_t Size>
-  std::size_t go_on(std::span<const Meeting> meetings, bool is_together, int depth, std::array<Path*, Size>& going) {
-    std::array<Ways, Size> ways;
+  std::size_t go_on(const StaticVector<Meeting, Size>& meetings, bool is_together, int depth,
+                    std::array<Path*, Size>& going) {
+    StaticVector<Ways, Size> ways;
+    for (const Meeting& m : meetings)
+      if (m.values->reflect != black || m.values->refract > 0) find_ways(m, ways);
+    if (ways.size() == 0) return 0;
+
     Branch<Size> mirrored;
-    for (std::size_t i = 0; i < meetings.size(); ++i) {
-      find_ways(meetings[i], ways[i]);
-      if (ways[i].rho != black) mirror(meetings[i], ways[i], i, mirrored);
-    }
+    for (const Ways& w : ways)
+      if (w.rho != black) mirror(w, mirrored);
     trace_branch(mirrored, is_together, depth + 1);
-    for (std::size_t j = 0; j < mirrored.count; ++j) {
-      const std::size_t i = mirrored.from[j];
-      meetings[i].path->sum += meetings[i].path->passed * ways[i].rho * mirrored.paths[j].sum;
+    for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
+      const Ways& w = *mirrored.from[i];
+      w.meeting->path->sum += w.meeting->path->passed * w.rho * mirrored.paths[i].sum;
     }
 
     Branch<Size> refracted;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < meetings.size(); ++i)
-      if (ways[i].is_transparent && pass(meetings[i], ways[i], i, depth, refracted)) going[count++] = meetings[i].path;
+    for (const Ways& w : ways)
+      if (w.is_transparent && pass(w, depth, refracted)) going[count++] = w.meeting->path;
     trace_branch(refracted, is_together, depth + 1);
-    for (std::size_t j = 0; j < refracted.count; ++j) {
-      const std::size_t i = refracted.from[j];
-      meetings[i].path->sum += meetings[i].path->passed * ways[i].tau * refracted.paths[j].sum;
+    for (std::size_t i = 0; i < refracted.paths.size(); ++i) {
+      const Ways& w = *refracted.from[i];
+      w.meeting->path->sum += w.meeting->path->passed * w.tau * refracted.paths[i].sum;
     }
     return count;
   }
 
   template <std::size_t Size>
   void trace_branch(Branch<Size>& branch, bool is_together, int depth) {
-    const std::span<Path> paths = std::span(branch.paths).first(branch.count);
+    const std::span<Path> paths(branch.paths);
     if (Size > 1 && is_together && paths.size() >= least_group && depth <= deepest_group && run_alike(paths))
       return trace<Size>(paths, depth);
     for (Path& path : paths) trace<1>(std::span(&path, 1), depth);
@@ -350,10 +348,11 @@ private:
     return true;
   }
 
-  void find_ways(const Meeting& m, Ways& w) {
+  template <std::size_t Size>
+  void find_ways(const Meeting& m, StaticVector<Ways, Size>& ways) {
     const MaterialValues& v = *m.values;
+    Ways& w = ways.add([&] { return Ways{&m, {m.surface.order, m.surface.ior}}; });
     w.is_transparent = v.refract > 0;
-    w.interior = {m.surface.order, m.surface.ior};
     if (w.is_transparent) {
       w.passage = m.path->interiors->passage(m.path->inside, w.interior);
       w.eta = ratio(w.passage, m.path->inside);
@@ -376,23 +375,25 @@ private:
   }
 
   template <std::size_t Size>
-  void mirror(const Meeting& m, const Ways& w, std::size_t i, Branch<Size>& branch) {
+  void mirror(const Ways& w, Branch<Size>& branch) {
+    const Meeting& m = *w.meeting;
     ++counts_.reflected;
     if (w.is_total) recorder_.total_reflection(w.passage, m.cosine);
-    add(branch, i, w.is_total ? RayKind::total_reflection : RayKind::reflected, m,
+    add(branch, w.is_total ? RayKind::total_reflection : RayKind::reflected, w,
         reflect(m.path->ray.direction, m.normal), w.rho, m.path->inside);
   }
 
   // True if the ray goes on unbent: then the path is the one behind the surface.
   template <std::size_t Size>
-  bool pass(const Meeting& m, const Ways& w, std::size_t i, int depth, Branch<Size>& branch) {
+  bool pass(const Ways& w, int depth, Branch<Size>& branch) {
+    const Meeting& m = *w.meeting;
     recorder_.refraction(w.tau, w.passage, m.cosine, w.is_bent ? w.cos_behind : m.cosine);
     if (w.tau == black) return false;
     ++counts_.refracted;
     Path& path = *m.path;
     const List behind = path.interiors->after(path.inside, w.interior, path.owned_from);
     if (w.is_bent) {
-      add(branch, i, RayKind::refracted, m, refract(path.ray.direction, m.normal, w.eta, m.cosine, w.cos_behind), w.tau,
+      add(branch, RayKind::refracted, w, refract(path.ray.direction, m.normal, w.eta, m.cosine, w.cos_behind), w.tau,
           behind);
       return false;
     }
@@ -408,15 +409,13 @@ private:
   }
 
   template <std::size_t Size>
-  static void add(Branch<Size>& branch, std::size_t i, RayKind kind, const Meeting& m, const Vec3& direction,
-                  const Color& weight, List inside) {
-    Path& path = branch.paths[branch.count];
-    path.kind = kind;
-    path.ray = leaving(m.surface, direction);
-    if constexpr (is_recorded) path.weight = m.path->weight * m.path->passed * weight;
-    path.inside = inside;
-    path.interiors = m.path->interiors;
-    branch.from[branch.count++] = i;
+  static void add(Branch<Size>& branch, RayKind kind, const Ways& w, const Vec3& direction, const Color& weight,
+                  List inside) {
+    const Path& from = *w.meeting->path;
+    branch.from[branch.paths.size()] = &w;
+    Path& path =
+        branch.paths.add([&] { return Path{kind, leaving(w.meeting->surface, direction), inside, from.interiors}; });
+    if constexpr (is_recorded) path.weight = from.weight * from.passed * weight;
   }
 
   // POV-Ray divides the indices of two solids in 32 bits, and only with the void's in 64.

@@ -42,8 +42,9 @@ constexpr bool is_solid(const PlaneGeometry&) {
 
 inline bool intersect(const PlaneGeometry& plane, const Ray& ray, const Interval& range, Hit& hit) {
   const double approach = dot(plane.normal, ray.direction);
-  if (approach == 0) return false; // parallel, even if within the plane
-  const double t = (plane.offset - dot(plane.normal, ray.origin)) / approach;
+  const double height = plane.offset - dot(plane.normal, ray.origin);
+  if (approach == 0 || (height < 0) != (approach < 0)) return false; // parallel, even if within the plane; or behind
+  const double t = height / approach;
   if (!range.contains(t)) return false;
   hit = {t, 0};
   return true;

@@ -37,7 +37,7 @@ Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
 Crossings crossings(const SphereGeometry& sphere, const Ray& ray) {
   const Vec3 to_center = sphere.center - ray.origin;
   const double power = dot(to_center, to_center) - sphere.radius * sphere.radius;
-  const SphereChord chord(to_center, power, ray.direction, sphere.radius);
+  const SphereChord chord = sphere_chord(to_center, power, ray.direction, sphere.radius);
   Crossings found;
   if (!(chord.half_squared > 0)) return found;
   Hit enter, leave;

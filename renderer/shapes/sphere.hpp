@@ -49,13 +49,6 @@ struct SphereChord {
   double half_squared; ///< negative: the line passes by
   double product;      ///< of both roots: positive where the origin is outside
 
-  SphereChord(const Vec3& to_center, double power, const Vec3& direction, double radius) {
-    const double inverse = 1 / dot(direction, direction);
-    middle = dot(to_center, direction) * inverse;
-    const Vec3 aside = to_center - direction * middle;
-    half_squared = (radius * radius - dot(aside, aside)) * inverse;
-    product = power * inverse;
-  }
   /// Both roots in order; half_squared must not be negative.
   void roots(double& near, double& far) const {
     const double half = std::sqrt(half_squared);
@@ -66,11 +59,19 @@ struct SphereChord {
   }
 };
 
+/// `power` is |to_center|² − radius².
+inline SphereChord sphere_chord(const Vec3& to_center, double power, const Vec3& direction, double radius) {
+  const double inverse = 1 / dot(direction, direction);
+  const double middle = dot(to_center, direction) * inverse;
+  const Vec3 aside = to_center - direction * middle;
+  return {middle, (radius * radius - dot(aside, aside)) * inverse, power * inverse};
+}
+
 inline bool intersect(const SphereGeometry& sphere, const Ray& ray, const Interval& range, Hit& hit) {
   const Vec3 to_center = sphere.center - ray.origin;
   const double power = dot(to_center, to_center) - sphere.radius * sphere.radius;
   if (power > 0 && dot(to_center, ray.direction) <= 0) return false; // outside and on the way out
-  const SphereChord chord(to_center, power, ray.direction, sphere.radius);
+  const SphereChord chord = sphere_chord(to_center, power, ray.direction, sphere.radius);
   if (!(chord.half_squared >= 0)) return false;
   Hit near, far;
   chord.roots(near.t, far.t);

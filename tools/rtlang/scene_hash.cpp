@@ -40,7 +40,8 @@ private:
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
   }
-  void take(std::uint64_t word) { state_ = mixed(state_ + 0x9e3779b97f4a7c15u) ^ word; }
+  /// No two words lead from one state to the same one.
+  void take(std::uint64_t word) { state_ = (std::rotl(state_, 23) ^ word) * 0x9e3779b97f4a7c15u; }
 
   std::uint64_t state_ = 0;
 };

@@ -26,7 +26,6 @@ public:
     ++size_;
     return *value;
   }
-  void remove_last() { --size_; }
 
   std::size_t size() const { return size_; }
   T* begin() { return std::launder(reinterpret_cast<T*>(storage_.data())); }

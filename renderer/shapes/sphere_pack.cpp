@@ -68,6 +68,6 @@ bool SpherePackChords::has_four() {
   return __builtin_cpu_supports("avx2") != 0;
 }
 
-SpherePackChords::Find* const SpherePackChords::find = has_four() ? find_by_four : find_by_two;
+SpherePackChords::Find* const SpherePackChords::best_find = has_four() ? find_by_four : find_by_two;
 
 } // namespace rt

@@ -20,23 +20,25 @@ struct alignas(64) SpherePack {
 /// by operation, and so are the chords, bit by bit, whatever the processor's registers hold.
 class SpherePackChords {
 public:
+  /// Ways to find them: with two numbers in a register, which every x86-64 has, or with four (AVX2).
+  using Find = void(SpherePackChords&, const SpherePack&, const Ray&, double);
+  static Find find_by_two, find_by_four;
+  static bool has_four(); ///< whether this processor has the second
+
   /// `inverse` is 1 / |direction|².
-  SpherePackChords(const SpherePack& pack, const Ray& ray, double inverse) { find(*this, pack, ray, inverse); }
+  SpherePackChords(const SpherePack& pack, const Ray& ray, double inverse, Find* find = best_find) {
+    find(*this, pack, ray, inverse);
+  }
 
   /// A bit for each sphere: the line meets it, and the ray is not on its way out. Only those have chords.
   unsigned meets() const { return meets_; }
   SphereChord operator[](std::uint32_t i) const { return {middle_[i], half_squared_[i], product_[i]}; }
 
-  /// Ways to find them: with two numbers in a register, which every x86-64 has, or four (AVX2).
-  using Find = void(SpherePackChords&, const SpherePack&, const Ray&, double);
-  static Find find_by_two, find_by_four;
-  static bool has_four();
-
 private:
   template <class Lanes>
   unsigned find_lanes(const SpherePack& pack, std::uint32_t first, const Ray& ray, double inverse);
 
-  static Find* const find; // the best of them
+  static Find* const best_find;
 
   alignas(32) std::array<double, SpherePack::size> middle_, half_squared_, product_;
   unsigned meets_;

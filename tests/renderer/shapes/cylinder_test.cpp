@@ -178,3 +178,33 @@ TEST_CASE("cylinder: its box is tight under rotation, and endless only along an 
   CHECK(column.lower == Vec3{-1, -std::numeric_limits<double>::infinity(), -2});
   CHECK(column.upper == Vec3{3, std::numeric_limits<double>::infinity(), 2});
 }
+
+// The line's point nearest to the axis is made at a chosen distance from it, in a direction m across the axis; the line
+// runs there across m, under an angle to the axis.
+TEST_CASE("cylinder: only lines that miss its side are told to pass by") {
+  Random random(21);
+  int nearly_touching = 0, told = 0, apart = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double size = random.magnitude(1e-6, 1e6);
+    const Vec3 axis = random.direction();
+    CylinderGeometry cylinder{random.step(1e-3, 1e3) * size, axis, size * random.magnitude(1e-2, 1e2), size};
+    cylinder.extent = CylinderGeometry::Extent::infinite;
+    const Vec3 m = normalize(cross(axis, random.direction())), across = cross(axis, m);
+    const double slope = random.magnitude(1e-7, 1), far = random.magnitude(1e-2, 1e8);
+    const double distance = i % 2 == 0 ? 1 - random.magnitude(1e-7, 1) : 1 + random.magnitude(1e-2, 10);
+    const Vec3 nearest = cylinder.base + axis * (random.number(0, 1) * cylinder.height) + m * (distance * size);
+    const Vec3 direction = normalize(axis * std::sqrt(1 - slope * slope) + across * slope);
+    const Ray ray{nearest - direction * (far * size), direction * random.magnitude(1e-3, 1e3)};
+    // What the origin was rounded by must not carry the line out of the side.
+    const double margin = 1e-15 * (length(ray.origin) + length(cylinder.base)) / size;
+    if (distance + margin < 1) {
+      REQUIRE_FALSE(passes_by(cylinder, ray));
+      nearly_touching += distance > 0.999;
+    } else if (distance > 1.01 && slope > 1e-3 && far < 1e6) {
+      told += passes_by(cylinder, ray), ++apart;
+    }
+  }
+  CHECK(nearly_touching > 5000);
+  CHECK(told == apart);
+  CHECK(apart > 5000);
+}

@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 #include <random>
+#include <vector>
 
 using namespace rt;
 
@@ -19,18 +20,43 @@ SpherePack pack_of(const std::array<SphereGeometry, 4>& spheres) {
   return pack;
 }
 
+std::vector<SpherePackChords::Find*> ways() {
+  std::vector<SpherePackChords::Find*> ways{SpherePackChords::find_by_two};
+  if (SpherePackChords::has_four()) ways.push_back(SpherePackChords::find_by_four);
+  return ways;
+}
+
+// Which of the spheres are hit, a bit for each, and where.
+unsigned hit_by(const Ray& ray, const SpherePack& pack, const Interval& range, std::array<double, 4>& t,
+                SpherePackChords::Find* way) {
+  const SpherePackChords chords(pack, ray, 1 / dot(ray.direction, ray.direction), way);
+  unsigned hits = 0;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    if (((chords.meets() >> i) & 1) == 0) continue;
+    Hit near, far, hit;
+    chords[i].roots(near.t, far.t);
+    if (!take_first(near, far, range, hit)) continue;
+    hits |= 1u << i;
+    t[i] = hit.t;
+  }
+  return hits;
+}
+
 // That each sphere of the pack is hit exactly as it is alone.
 int check_alike(const std::array<SphereGeometry, 4>& spheres, const Ray& ray, const Interval& range) {
-  std::array<double, 4> t;
-  const unsigned hits = intersect(pack_of(spheres), ray, range, t);
   int count = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Hit hit;
-    const bool is_hit = intersect(spheres[i], ray, range, hit);
-    REQUIRE(((hits >> i) & 1) == is_hit);
-    if (!is_hit) continue;
-    REQUIRE(std::bit_cast<std::uint64_t>(t[i]) == std::bit_cast<std::uint64_t>(hit.t));
-    ++count;
+  for (SpherePackChords::Find* way : ways()) {
+    std::array<double, 4> t;
+    const unsigned hits = hit_by(ray, pack_of(spheres), range, t, way);
+    count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Hit hit;
+      const bool is_hit = intersect(spheres[i], ray, range, hit);
+      REQUIRE(((hits >> i) & 1) == is_hit);
+      if (!is_hit) continue;
+      REQUIRE(std::bit_cast<std::uint64_t>(t[i]) == std::bit_cast<std::uint64_t>(hit.t));
+      ++count;
+    }
   }
   return count;
 }
@@ -58,13 +84,15 @@ TEST_CASE("sphere pack: limits, tangents and origins inside are as with one sphe
   const std::array<SphereGeometry, 4> spheres{{{{0, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, -3}, 1}, {{0, 0, 3}, 0.5}}};
   const Ray ray{{0, 0, 2}, {0, 0, -1}};
   // Along it: the first from 1 to 3, the second touched at 2, the third from 4 to 6, the last behind the origin.
-  std::array<double, 4> t;
-  CHECK(intersect(pack_of(spheres), ray, {}, t) == 0b0111);
-  CHECK(t[0] == 1);
-  CHECK(t[1] == 2);
-  CHECK(t[2] == 4);
-  CHECK(intersect(pack_of(spheres), ray, {1, 3}, t) == 0b0011); // open below, closed above
-  CHECK(t[0] == 3);
+  for (SpherePackChords::Find* way : ways()) {
+    std::array<double, 4> t;
+    CHECK(hit_by(ray, pack_of(spheres), {}, t, way) == 0b0111);
+    CHECK(t[0] == 1);
+    CHECK(t[1] == 2);
+    CHECK(t[2] == 4);
+    CHECK(hit_by(ray, pack_of(spheres), {1, 3}, t, way) == 0b0011); // open below, closed above
+    CHECK(t[0] == 3);
+  }
   CHECK(check_alike(spheres, {{0, 0, 0.5}, {0, 0, 1}}, {}) == 2);
   CHECK(check_alike(spheres, {{0, 0, 1}, {0, 0, 1}}, {}) > 0); // starts on the first
 }
@@ -72,7 +100,9 @@ TEST_CASE("sphere pack: limits, tangents and origins inside are as with one sphe
 TEST_CASE("sphere pack: an empty place is never hit") {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const SpherePack pack = pack_of({{{{0, 0, 0}, 1}, {{0, 0, 0}, nothing}, {{0, 0, 0}, nothing}, {{0, 0, 0}, nothing}}});
-  std::array<double, 4> t;
-  CHECK(intersect(pack, {{0, 0, 5}, {0, 0, -1}}, {}, t) == 0b0001);
-  CHECK(intersect(pack, {{0, 0, 0}, {0, 0, -1}}, {}, t) == 0b0001);
+  for (SpherePackChords::Find* way : ways()) {
+    std::array<double, 4> t;
+    CHECK(hit_by({{0, 0, 5}, {0, 0, -1}}, pack, {}, t, way) == 0b0001);
+    CHECK(hit_by({{0, 0, 0}, {0, 0, -1}}, pack, {}, t, way) == 0b0001);
+  }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -36,6 +37,13 @@ float round_up(double value) {
   return std::nextafter(single, single_infinity);
 }
 
+// RTLANG_EMBREE adds Embree's own settings: with `isa=avx2` tests and measurements see what other processors do.
+std::string settings(int threads) {
+  std::string all = "set_affinity=0,threads=" + std::to_string(std::max(threads, 0));
+  if (const char* const more = std::getenv("RTLANG_EMBREE")) all.append(",").append(more);
+  return all;
+}
+
 // Whether the ray meets the box within its interval; if so, `start` is where it enters or already is inside.
 bool meets(const Query& query, const Box3& box, double& start) {
   double from = query.interval.lower, to = query.interval.upper;
@@ -55,8 +63,7 @@ bool meets(const Query& query, const Box3& box, double& start) {
 
 } // namespace
 
-Device::Device(int threads)
-    : device_(rtcNewDevice(("set_affinity=0,threads=" + std::to_string(std::max(threads, 0))).c_str())) {
+Device::Device(int threads) : device_(rtcNewDevice(settings(threads).c_str())) {
   if (!device_)
     throw std::runtime_error("Embree cannot be started: error " + std::to_string(rtcGetDeviceError(nullptr)));
   has_packets_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;

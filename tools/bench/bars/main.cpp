@@ -13,6 +13,8 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
+#include <regex>
 
 // Measures what the comparison with other programs leaves out, and prints it as a table in Markdown.
 namespace rt::tools::bench {
@@ -54,6 +56,10 @@ void reading(const std::string& literal) {
       fmt::format("{:.2f} s", load_seconds("for i in 0..<1000000 { " + body + " }\n")));
   row("1 million spheres from a comprehension, CPU",
       fmt::format("{:.2f} s", load_seconds("[" + body + " for i in 0..<1000000]\n")));
+  std::ifstream file(RTLANG_SOURCE_DIR "/tools/bench/scenes/sphereflake.rtl");
+  const std::string flake(std::istreambuf_iterator<char>(file), {});
+  row("sphereflake_6 as written in our own language (`scenes/sphereflake.rtl`), CPU",
+      fmt::format("{:.2f} s", load_seconds(std::regex_replace(flake, std::regex("depth = 4"), "depth = 6"))));
 }
 
 double trace_seconds(const scene::Scene& scene, int threads) {

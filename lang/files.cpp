@@ -1,6 +1,7 @@
 #include "lang/files.hpp"
 
 #include "lang/parse.hpp"
+#include "lang/suggest.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -25,6 +26,13 @@ bool is_within(const fs::path& path, const fs::path& folder) {
   const auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   // A folder written with a slash at its end has an empty last part.
   return in_folder == folder.end() || (std::next(in_folder) == folder.end() && in_folder->empty());
+}
+
+// The ending, which most files share, does not make names alike: `a.rtl` is no slip for `b.rtl`.
+bool is_like(const std::string& name, const std::string& other) {
+  const std::string stem = fs::path(name).stem().string(), other_stem = fs::path(other).stem().string();
+  const std::string_view candidates[] = {other_stem};
+  return stem == other_stem || nearest(stem, candidates);
 }
 
 } // namespace
@@ -107,6 +115,24 @@ std::string Files::display_name(const fs::path& path) const {
   return is_within(path, folder_) ? path.lexically_relative(folder_).string() : path.string();
 }
 
+std::string Files::like_named(const fs::path& path, Span place) const {
+  const fs::path folder = path.parent_path();
+  if (!is_allowed(folder)) return {};
+  const std::string name = path.filename().string();
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    // Neither what a link leads to outside nor the file that asks can be what was meant.
+    const fs::path other = resolved(entry->path());
+    const bool is_file = is_allowed(other) && entry->is_regular_file(error);
+    if (!is_file || other == program_.sources.file(place.file).path) continue;
+    if (std::string other_name = entry->path().filename().string(); is_like(name, other_name)) names.push_back(std::move(other_name));
+  }
+  std::ranges::sort(names); // a folder has no order
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return std::string(nearest(name, candidates).value_or(""));
+}
+
 Unit* Files::read(const fs::path& path, Span place) {
   std::string text;
   try {
@@ -118,6 +144,9 @@ Unit* Files::read(const fs::path& path, Span place) {
     if (Diagnostic* d = report_.error("E0601", place)) {
       d->message = "this file cannot be read";
       d->label = fmt::format("{}: {}", display_name(path), failure.code().message());
+      const bool is_missing = failure.code() == std::errc::no_such_file_or_directory;
+      if (const std::string guess = is_missing ? like_named(path, place) : ""; !guess.empty())
+        d->label += fmt::format("; did you mean `{}`?", guess);
     }
     return nullptr;
   }

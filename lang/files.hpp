@@ -37,6 +37,8 @@ public:
 private:
   std::string display_name(const std::filesystem::path& canonical) const;
   bool is_allowed(const std::filesystem::path& canonical) const;
+  /// The name of the file beside it that was likely meant, where it does not exist and `place` names it; or empty.
+  std::string like_named(const std::filesystem::path& canonical, Span place) const;
 
   Program& program_;
   Report& report_;

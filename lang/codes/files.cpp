@@ -8,7 +8,7 @@ std::span<const Code> files() {
   static const std::vector<Code> table = {
     {"E0601", "A file cannot be read",
      "`include` and `use` look for a file from the folder of the file that they stand in. The message says where this one was "
-     "looked for, and what the system answered.",
+     "looked for, what the system answered, and which file there has a name that is nearly the same.",
      "include \"no_such_file.rtl\"\nsphere {}",
      "sphere {}"},
     {"E0602", "A file includes itself",

@@ -123,6 +123,33 @@ TEST_CASE("files: nothing outside of the scene's folder is read, not even throug
   CHECK(codes("secret.rtl", options).empty()); // looked for in the added folders, too
 }
 
+TEST_CASE("files: where a file is missing, one of a like name is told, but not from outside of the scene's folder") {
+  const Folder folder;
+  folder.write("secret.rtl", "");
+  folder.write("scene/walls.rtl", "");
+  folder.write("scene/a.rtl", "");
+  folder.write("scene/lib/roofs.rtl", "include \"rofs.rtl\"\n");
+  fs::create_directories(folder.path() / "scene/tiles.rtl");
+  fs::create_symlink(folder.path() / "secret.rtl", folder.path() / "scene/secrets.rtl");
+  const auto label = [&](const std::string& line) {
+    const Loaded loaded = load_file(folder.write("scene/main.rtl", line + "\n"), {});
+    REQUIRE(find(loaded, "E0601"));
+    return find(loaded, "E0601")->label;
+  };
+  const auto none = [](const std::string& name) { return name + ": No such file or directory"; };
+  const auto meant = [&](const std::string& name, const std::string& guess) { return none(name) + "; did you mean `" + guess + "`?"; };
+  CHECK(label("include \"wals.rtl\"") == meant("wals.rtl", "walls.rtl"));
+  CHECK(label("use \"Walls.rtl\" as w") == meant("Walls.rtl", "walls.rtl"));
+  CHECK(label("include \"walls\"") == meant("walls", "walls.rtl"));
+  CHECK(label("include \"lib/rools.rtl\"") == meant("lib/rools.rtl", "roofs.rtl"));
+  CHECK(label("include \"b.rtl\"") == none("b.rtl")); // one letter out of one
+  CHECK(label("include \"tile.rtl\"") == none("tile.rtl")); // a folder
+  CHECK(label("include \"man.rtl\"") == none("man.rtl")); // would include itself
+  CHECK(label("include \"lib/roofs.rtl\"") == none("lib/rofs.rtl"));
+  CHECK(label("include \"secret_.rtl\"") == none("secret_.rtl")); // a link that leads out
+  CHECK(label("include \"no/walls.rtl\"") == none("no/walls.rtl"));
+}
+
 TEST_CASE("files: a folder is no file, and a missing scene is an exception") {
   const Folder folder;
   folder.write("sub/x.rtl", "");

@@ -190,7 +190,7 @@ void Evaluator::finish_scene() {
     for (const PropertyValue& p : scene_properties_.values) {
       if (scene_properties_.noun->properties[p.id].name == problem->field) place = p.span;
     }
-    fail("E0407", place, problem->message);
+    fail("E0407", place, problem->message, {}, problem->advice);
     return;
   }
   if (has_leftovers_ && expectations_.empty()) drop_leftovers(scene_); // expectations may ask about what stands nowhere

@@ -71,7 +71,7 @@ bool Evaluator::make(const Described& described, void* room) {
   }
   const std::optional<scene::Problem> problem = noun.maker.check(room);
   if (!problem) return true;
-  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message);
+  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message, {}, problem->advice);
   return false;
 }
 

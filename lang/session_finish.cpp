@@ -204,7 +204,10 @@ void SessionChange::check_scene_properties() {
   if (!problem) return;
   for (const PropertyValue* p : written) {
     if (!p || noun.properties[p->id].name != problem->field) continue;
-    if (Diagnostic* d = core_.report.error("E0407", p->span)) d->message = problem->message;
+    if (Diagnostic* d = core_.report.error("E0407", p->span)) {
+      d->message = problem->message;
+      if (!problem->advice.empty()) d->notes.push_back({std::nullopt, problem->advice});
+    }
   }
 }
 

@@ -166,10 +166,11 @@ template <auto Member> constexpr Field field(std::string_view name, const FieldT
 }
 
 /// Why a description that passes every field's constraint is still not a shape, light, …: two points coincide, a
-/// polygon is not planar. `field` is the property to blame.
+/// polygon is not planar. `field` is the property to blame, `advice` a way out where the message does not imply one.
 struct Problem {
   std::string_view field;
   std::string message;
+  std::string advice = {};
 };
 
 } // namespace rt::scene

@@ -1,6 +1,8 @@
 #include "renderer/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace rt::scene {
 namespace {
@@ -97,8 +99,12 @@ std::span<const Field> fields(const Camera*) {
 std::optional<Problem> check(const Camera& camera) {
   if (camera.at == camera.look_at) return Problem{"look_at", "the camera needs a direction: `look_at` is where it stands (`at`)"};
   const Vec3 f = camera.look_at - camera.at;
-  if (length(cross(f, camera.up)) <= 1e-12 * length(f) * length(camera.up))
-    return Problem{"up", "`up` is parallel to the view, so it does not say what is up in the picture"};
+  if (length(cross(f, camera.up)) <= 1e-12 * length(f) * length(camera.up)) {
+    // Seen from straight above, what is far away for a camera at its default place is at the top.
+    const bool is_vertical = std::abs(f.y) > std::max(std::abs(f.x), std::abs(f.z));
+    return Problem{"up", "`up` is parallel to the view, so it does not say what is up in the picture",
+                   std::string("write another direction, for instance `up: ") + (is_vertical ? "[0, 0, -1]`" : "[0, 1, 0]`")};
+  }
   return std::nullopt;
 }
 

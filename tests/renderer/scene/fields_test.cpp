@@ -148,3 +148,16 @@ TEST_CASE("fields: constraints of the shapes") {
   CHECK(find(static_cast<const Quad*>(nullptr), "points").min_count == 4);
   CHECK(find(static_cast<const Polygon*>(nullptr), "points").min_count == 3);
 }
+
+TEST_CASE("camera: where `up` is parallel to the view, one that is not is advised") {
+  const auto advice = [](const Camera& camera) {
+    const auto problem = check(camera);
+    REQUIRE(problem);
+    CHECK(problem->field == "up");
+    return problem->advice;
+  };
+  CHECK(advice({.at = {0, 9, 0}}) == "write another direction, for instance `up: [0, 0, -1]`");
+  CHECK_FALSE(check(Camera{.at = {0, 9, 0}, .up = {0, 0, -1}}));
+  CHECK(advice({.at = {0, 0, 9}, .up = {0, 0, 2}}) == "write another direction, for instance `up: [0, 1, 0]`");
+  CHECK_FALSE(check(Camera{.at = {0, 0, 9}, .up = {0, 1, 0}}));
+}

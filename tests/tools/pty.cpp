@@ -208,6 +208,13 @@ bool Pty::wait_for_cursor_row(std::string_view row, std::chrono::milliseconds pa
   }
 }
 
+bool Pty::wait_for_cursor_row(std::string_view row, int column, std::chrono::milliseconds patience) {
+  const Clock::time_point deadline = Clock::now() + patience;
+  while (!wait_for_cursor_row(row, std::chrono::milliseconds(100)) || screen_.cursor_x() != column)
+    if (Clock::now() > deadline) return false;
+  return true;
+}
+
 int Pty::wait_for_end(std::chrono::milliseconds patience) {
   const Clock::time_point deadline = Clock::now() + patience;
   while (Clock::now() < deadline) {

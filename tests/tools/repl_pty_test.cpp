@@ -117,14 +117,19 @@ TEST_CASE("repl at a terminal: an open bracket goes on in the next line, set in"
   Terminal terminal(home);
   terminal.send("box {");
   REQUIRE(terminal.wait_for_cursor_row("rtl> box {"));
-  terminal.send(std::string(1, enter));
-  REQUIRE(terminal.wait_for_cursor_row(""));
-  CHECK(terminal.screen().cursor_x() == 2);
-  terminal.send("size: [1,");
-  terminal.send(std::string(1, enter));
-  terminal.send("2, 3]");
-  terminal.send(std::string(1, enter));
-  terminal.say("}");
+  // One key after the other, as a person types: what comes at once counts as pasted, and is not set in or out.
+  const auto new_row = [&](int column) {
+    terminal.send(std::string(1, enter));
+    INFO(terminal.screen().text());
+    REQUIRE(terminal.wait_for_cursor_row("", column));
+  };
+  new_row(2);
+  terminal.type("size: [1,", "  size: [1,");
+  new_row(4);
+  terminal.type("2, 3]", "    2, 3]");
+  new_row(2);
+  terminal.type("}", "}");
+  terminal.say("");
   terminal.say(":history");
   CHECK(terminal.shows("box { size: [1, 2, 3] }"));
   // The whole of it comes back, and can be edited.

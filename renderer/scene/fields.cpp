@@ -62,7 +62,7 @@ std::span<const Field> fields(const SunLight*) {
 std::span<const Field> fields(const SpotLight*) {
   static constexpr Constraint cone{.min = 0, .max = 180, .min_is_excluded = true, .max_is_excluded = true};
   static constexpr Field table[] = {
-      field<&SpotLight::at>("at", {"[0, 0, 0]", "position"}),
+      field<&SpotLight::at>("at", {"[0, 3, 0]", "position"}),
       field<&SpotLight::look_at>("look_at", {"[0, 0, 0]", "point on the axis of the cone"}),
       field<&SpotLight::angle>("angle", {"40", "full angle of the cone of full light, degrees", cone}),
       field<&SpotLight::falloff>("falloff", {"angle", "full angle of the cone outside of which there is no light, degrees", cone}),

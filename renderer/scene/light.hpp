@@ -26,7 +26,7 @@ struct SunLight : LightCommon {
 /// A point light within a cone about the line to `look_at`: full inside the full angle `angle`, none outside
 /// `falloff` (degrees, `angle` unless given), a smoothstep in the cosine of the half angle between.
 struct SpotLight : LightCommon {
-  Vec3 at{};
+  Vec3 at{0, 3, 0}; ///< from there a sphere of radius 1 about the origin just fits the cone: asin(1/3) = 19.5°
   Vec3 look_at{};
   double angle = 40;
   std::optional<double> falloff;

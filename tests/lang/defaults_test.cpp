@@ -55,3 +55,13 @@ TEST_CASE("defaults: a sun is added where there is neither light nor ambient") {
 TEST_CASE("defaults: nothing is said where everything is written") {
   CHECK(load("sphere {}\ncamera {}\nlight { at: [0, 5, 5] }").diagnostics.empty());
 }
+
+TEST_CASE("defaults: a spot stands above the origin, and looks down at it") {
+  const Loaded loaded = load("plane { y: 0 }\ncamera {}\nspot {}");
+  INFO(report(loaded));
+  CHECK(loaded.diagnostics.empty());
+  REQUIRE(loaded.scene);
+  const auto& spot = std::get<scene::SpotLight>(loaded.scene->lights.at(0).source);
+  CHECK(spot.at == Vec3{0, 3, 0});
+  CHECK(spot.look_at == Vec3{});
+}

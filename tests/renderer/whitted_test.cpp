@@ -145,6 +145,13 @@ TEST_CASE("whitted: a spot is full within its angle, none beyond its falloff, a 
   }
 }
 
+TEST_CASE("whitted: a spot of which nothing is said lights what lies below it, at the origin") {
+  Kit k;
+  k.add(k.plane({0, 1, 0}, 0));
+  k.light(scene::SpotLight{});
+  CHECK(floor_seen_from_above(k).r == Approx(0.8)); // straight down, without fading
+}
+
 TEST_CASE("whitted: lights move with the composites they stand in") {
   Kit k;
   k.add(k.plane({0, 1, 0}, 0));

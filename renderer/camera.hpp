@@ -19,7 +19,8 @@ public:
     return {origin_, normalize(forward_ + across)};
   }
 
-  /// The place of one sample within a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's centre.
+  /// The place of one sample within a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's
+  /// centre.
   struct Place {
     double x, y;
     Place(int sample, int n) : x((sample % n + 0.5) / n), y((sample / n + 0.5) / n) {}

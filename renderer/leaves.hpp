@@ -23,8 +23,8 @@ struct LeafTag {
 
 class SolidLeaves;
 
-/// The surface at a hit, in the space of the leaf's assembly. It is made where it is to stay: a copy would wait for every
-/// one of its parts to be written.
+/// The surface at a hit, in the space of the leaf's assembly. It is made where it is to stay: a copy would wait for
+/// every one of its parts to be written.
 struct LeafSurface {
   SurfacePoint point;
   StyleId style = inherited_style;                ///< of the surface

@@ -55,8 +55,7 @@ Xyz32 to_single(const Vec3& v) {
 // Everything the workers share. Each pixel is written by one of them, so the film needs no lock.
 class Job {
 public:
-  Job(const View& view, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect,
-      Film& film)
+  Job(const View& view, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect, Film& film)
       : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
         around_eye_(traceable.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
         columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
@@ -132,7 +131,8 @@ private:
       for (int sample = 0; sample < n * n; ++sample) {
         const CameraRays::Place place(sample, n);
         StaticVector<Ray, accel::packet_size> rays;
-        for_each_pixel(block, [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
+        for_each_pixel(block,
+                       [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
         trace_rays(rays, values);
         if (job_.is_stopped()) return false;
         for (std::size_t i = 0; i < rays.size(); ++i) sums[i] += values[i];

@@ -21,7 +21,7 @@ struct Smoothness {
 struct Resolved {
   LeafSurface leaf;
   std::uint64_t order = 0;
-  std::optional<double> ior{};   // as soon as it is known
+  std::optional<double> ior{}; // as soon as it is known
   std::optional<Smoothness> smoothness{};
 };
 
@@ -168,14 +168,9 @@ Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
   const Styles& styles = compiled_.styles();
   const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
   const Vec3& normal = r.leaf.point.normal;
-  return {r.leaf.point.position,
-          normal,
-          r.smoothness ? smooth_normal(*r.smoothness, normal) : normal,
-          r.leaf.point.error,
-          r.order,
-          styles.material(r.leaf.style),
-          r.leaf.pattern_point,
-          r.ior.value_or(1)};
+  return {r.leaf.point.position, normal,           r.smoothness ? smooth_normal(*r.smoothness, normal) : normal,
+          r.leaf.point.error,    r.order,          styles.material(r.leaf.style),
+          r.leaf.pattern_point,  r.ior.value_or(1)};
 }
 
 std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {

@@ -15,10 +15,10 @@ namespace {
 constexpr float single_infinity = std::numeric_limits<float>::infinity();
 
 // In the scaled space all of the scene lies within ±1. A ray starts within ±4, to which it is advanced if need be, and
-// goes no farther than 5√3 there. To single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its direction
-// turns by ε. Embree's traversal (the fast one, whatever the scene's flags, for user geometries) gets each slab's t right
-// to 5ε of t, and compares those of two axes: a slip of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε leaves room for t's
-// own rounding.
+// goes no farther than 5√3 there. To single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its
+// direction turns by ε. Embree's traversal (the fast one, whatever the scene's flags, for user geometries) gets each
+// slab's t right to 5ε of t, and compares those of two axes: a slip of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε
+// leaves room for t's own rounding.
 constexpr double reach = 4, padding = 0x1p-17;
 
 void check(RTCDevice device) {
@@ -201,7 +201,8 @@ void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid
   }
 }
 
-// Where the processor has no instructions for sixteen rays, Embree's way around shows leaves to rays that are not there.
+// Where the processor has no instructions for sixteen rays, Embree's way around shows leaves to rays that are not
+// there.
 void Tree::nearest(std::span<Query* const> queries) const {
   if (!device_->has_packets_) {
     for (Query* const query : queries) nearest(*query);

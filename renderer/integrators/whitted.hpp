@@ -23,7 +23,7 @@ inline constexpr double unlimited = std::numeric_limits<double>::max();
 /// bound of their own rounding.
 struct OwnTolerances {
   static constexpr bool moves_origins = true;
-  static constexpr double nearest = 0; ///< least distance of a camera, mirrored or refracted ray's hit
+  static constexpr double nearest = 0;          ///< least distance of a camera, mirrored or refracted ray's hit
   static constexpr double farthest = unlimited; ///< and the greatest
   /// The part of a shadow ray, from the surface to the lamp, in which something blocks it. It ends a rounding before
   /// the lamp, so that a lamp lying in a surface shines.
@@ -103,8 +103,8 @@ private:
     InteriorLists* interiors;
     std::uint32_t owned_from = 0; // lists from there on are this ray's own
     Color sum = black,
-          passed = white;         // what was gathered before surfaces that were crossed unbent, and what they let by
-    Color weight = white;         // for the recorder
+          passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
+    Color weight = white; // for the recorder
   };
 
   // One ray has met one surface.
@@ -261,7 +261,9 @@ private:
     for (std::size_t i = 0; i < meetings.size(); ++i) {
       Arrival& a = arrivals[i];
       if (a.is_facing())
-        rays.add([&] { return ShadowRay{shadow_ray(meetings[i].surface, a.incidence), shadow_range(a.incidence), &a.filter}; });
+        rays.add([&] {
+          return ShadowRay{shadow_ray(meetings[i].surface, a.incidence), shadow_range(a.incidence), &a.filter};
+        });
     }
     counts_.shadow += rays.size();
     if (Size > 1 && Tolerances::moves_origins && is_together && rays.size() >= least_group)
@@ -413,8 +415,9 @@ private:
                   List inside) {
     const Path& from = *w.meeting->path;
     branch.from[branch.paths.size()] = &w;
-    Path& path =
-        branch.paths.add([&] { return Path{kind, leaving(w.meeting->surface, direction), inside, from.interiors}; });
+    Path& path = branch.paths.add([&] {
+      return Path{kind, leaving(w.meeting->surface, direction), inside, from.interiors};
+    });
     if constexpr (is_recorded) path.weight = from.weight * from.passed * weight;
   }
 

@@ -78,9 +78,9 @@ inline AxialRay axial_ray(const CylinderGeometry& cylinder, const Ray& ray) {
   return {ray, cylinder.base, cylinder.axis, cylinder.height / 2, cylinder.height + cylinder.radius};
 }
 
-/// Whether the line surely passes the side by, as most do that come through the box of a slanted cylinder. It does where
-/// |o·n| > r·|n|, n = d × axis. The roundings of both sides together are below e = 2⁻⁴⁸·(|o| + r)·|d|, and with δ = 2⁻¹⁰
-/// (r·|n| + e)² ≤ (1 + δ)·r²·|n|² + (1 + 1/δ)·e².
+/// Whether the line surely passes the side by, as most do that come through the box of a slanted cylinder. It does
+/// where |o·n| > r·|n|, n = d × axis. The roundings of both sides together are below e = 2⁻⁴⁸·(|o| + r)·|d|, and with δ
+/// = 2⁻¹⁰ (r·|n| + e)² ≤ (1 + δ)·r²·|n|² + (1 + 1/δ)·e².
 inline bool passes_by(const CylinderGeometry& cylinder, const Ray& ray) {
   const Vec3 origin = ray.origin - cylinder.base, n = cross(ray.direction, cylinder.axis);
   const double aside = dot(origin, n), radius_squared = cylinder.radius * cylinder.radius;

@@ -55,8 +55,7 @@ template <class Lanes>
 }
 
 void SpherePackChords::find_by_two(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
-  chords.meets_ =
-      chords.find_lanes<Two>(pack, 0, ray, inverse) | chords.find_lanes<Two>(pack, 2, ray, inverse) << 2;
+  chords.meets_ = chords.find_lanes<Two>(pack, 0, ray, inverse) | chords.find_lanes<Two>(pack, 2, ray, inverse) << 2;
 }
 
 __attribute__((target("avx2"))) void SpherePackChords::find_by_four(SpherePackChords& chords, const SpherePack& pack,

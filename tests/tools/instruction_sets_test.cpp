@@ -10,8 +10,7 @@ namespace {
 std::string picture(const std::string& scene, const std::string& embree) {
   RunOptions options;
   if (!embree.empty()) options.environment = {"RTLANG_EMBREE=" + embree};
-  const Outcome outcome =
-      rtlang({"render", scene, "-o", "-", "--size", "60x45", "--quiet", "--threads", "1"}, options);
+  const Outcome outcome = rtlang({"render", scene, "-o", "-", "--size", "60x45", "--quiet", "--threads", "1"}, options);
   CHECK(outcome.errors == "");
   REQUIRE(outcome.exit_code == 0);
   return outcome.output;

@@ -132,6 +132,10 @@ struct recovered {
             template <typename...> class Control, typename Input>
   static bool match(Input& in, ParseState& state) {
     const auto begin = static_cast<std::uint32_t>(in.current() - in.begin());
+    if (const auto end = state.repeat_item(begin)) {
+      in.bump(*end - begin);
+      return true;
+    }
     const ParseState::Checkpoint checkpoint = state.begin_item(begin);
     try {
       (void)Control<required<Rule>>::template match<A, M, Action, Control>(in, state);

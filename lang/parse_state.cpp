@@ -261,7 +261,9 @@ ParseState::Checkpoint ParseState::begin_item(std::uint32_t at) {
 
 void ParseState::finish_item(const Checkpoint& checkpoint) {
   leave_item(checkpoint);
-  if (options.folds_repeats) folder_.finish_item(checkpoint.build);
+  if (!options.folds_repeats) return;
+  // What was complained of must be complained of again.
+  folder_.finish_item(checkpoint.build, diagnostics.empty() ? std::optional(text) : std::nullopt);
 }
 
 void ParseState::leave_item(const Checkpoint& checkpoint) {

@@ -6,6 +6,7 @@
 #include "lang/syntax_errors.hpp"
 #include "lang/words.hpp"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -100,6 +101,8 @@ public:
     bool follows_line;
   };
   Checkpoint begin_item(std::uint32_t at);
+  /// An item that only repeats an earlier one is not taken apart; gives where it ends.
+  std::optional<std::uint32_t> repeat_item(std::uint32_t begin) { return folder_.repeat_item(text, begin); }
   void finish_item(const Checkpoint& checkpoint);
   /// Puts an error node in the place of the item; gives where to go on.
   std::uint32_t replace_item(const Checkpoint& checkpoint, std::uint32_t begin, const SyntaxError& error);

@@ -178,7 +178,46 @@ bool RepeatFolder::extend_repeat(const Model& model) {
   return true;
 }
 
-void RepeatFolder::finish_item(const AstBuilder::Snapshot& before) {
+// From the last operand, an item of that wording; `literals_` are its own.
+void RepeatFolder::learn_wording(Model& model, std::string_view text) const {
+  const AstBuilder::Operand& item = builder_.top();
+  model.wording = Wording::of(text.substr(item.begin, item.end - item.begin), literals_);
+}
+
+// A model whose wording agrees with that of `so_far` up to a number, and goes on behind it as `rest` does.
+const RepeatFolder::Model* RepeatFolder::model_with(std::string_view rest, const Model* so_far,
+                                                    std::size_t numbers) const {
+  const auto goes_on = [&](const Model& model) { return rest.starts_with(model.wording->piece(numbers)); };
+  if (so_far && goes_on(*so_far)) return so_far;
+  for (const Model& model : known_models()) {
+    if (!model.wording || model.wording->numbers() < numbers || !goes_on(model)) continue;
+    if (!so_far || model.wording->begins_like(*so_far->wording, numbers)) return &model;
+  }
+  return nullptr;
+}
+
+std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, std::uint32_t begin) {
+  literals_.clear();
+  std::uint32_t at = begin;
+  const Model* model = nullptr;
+  for (;;) {
+    model = model_with(text.substr(at), model, literals_.size());
+    if (!model) return std::nullopt;
+    at += static_cast<std::uint32_t>(model->wording->piece(literals_.size()).size());
+    if (literals_.size() == model->wording->numbers()) break;
+    at = read_signed_number(text, at, literals_.emplace_back());
+    if (at == 0) return std::nullopt;
+  }
+  if (!ends_item(text, at)) return std::nullopt;
+  builder_.nothing(begin);
+  AstBuilder::Operand& item = builder_.top();
+  item.end = at;
+  item.depth = builder_.operand(model->operand).depth;
+  if (!extend_repeat(*model)) begin_repeat(*model, builder_.count() - 1, literals_, false);
+  return at;
+}
+
+void RepeatFolder::finish_item(const AstBuilder::Snapshot& before, std::optional<std::string_view> text) {
   Ast& ast = builder_.ast();
   const Block& block = blocks_.back();
   const NodeId node = builder_.top().node;
@@ -210,6 +249,7 @@ void RepeatFolder::finish_item(const AstBuilder::Snapshot& before) {
     std::vector<double> own;
     take_literals(*model, own);
     begin_repeat(*model, model->operand, own, true);
+    if (text) learn_wording(*model, *text);
   }
   if (!extend_repeat(*model)) begin_repeat(*model, builder_.count() - 1, literals_, false);
 }

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "lang/ast_builder.hpp"
+#include "lang/wording.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace rt::lang {
@@ -25,8 +29,13 @@ public:
     forget_models(); // what is broken may have been a declaration
   }
 
-  /// The last operand is a whole item, begun at `before`.
-  void finish_item(const AstBuilder::Snapshot& before);
+  /// The last operand is a whole item, begun at `before`. `text` is the source, if what is written there is beyond
+  /// doubt: then `repeat_item` will know the item's wording.
+  void finish_item(const AstBuilder::Snapshot& before, std::optional<std::string_view> text);
+
+  /// If an item stands at `begin` that repeats one by its text alone, it becomes the last operand or joins the repeat
+  /// there, without the grammar. Gives where it ends.
+  std::optional<std::uint32_t> repeat_item(std::string_view text, std::uint32_t begin);
 
 private:
   /// An item that others may repeat, and where it lies in the arena.
@@ -35,6 +44,7 @@ private:
     std::uint32_t first_node, last_node, first_link, links;
     std::uint32_t operand; ///< where it stands on the builder's stack
     bool is_repeated = false;
+    std::optional<Wording> wording{};
   };
   struct Block {
     std::uint32_t first_operand = 0;
@@ -42,11 +52,14 @@ private:
   };
 
   void forget_models() { models_.resize(blocks_.back().first_model, Model{}); }
+  std::span<const Model> known_models() const { return std::span(models_).subspan(blocks_.back().first_model); }
   Model* find(std::uint64_t hash);
   bool is_foldable(std::uint32_t first_node, std::uint32_t last_node) const;
   std::uint64_t hash(const Model& item) const;
   bool has_wording_of(const Model& item, const Model& model) const;
   void take_literals(const Model& item, std::vector<double>& literals) const;
+  void learn_wording(Model& model, std::string_view text) const;
+  const Model* model_with(std::string_view rest, const Model* so_far, std::size_t numbers) const;
   void begin_repeat(const Model& model, std::uint32_t operand, const std::vector<double>& literals, bool is_first);
   bool extend_repeat(const Model& model);
 

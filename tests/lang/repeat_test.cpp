@@ -13,21 +13,22 @@ namespace {
 
 const ParseOptions folding{.folds_repeats = true};
 
-/// The items of the file's block one by one, and where each stands in the text.
+/// The items of the file's block and of groups in it one by one, and where each stands in the text.
 struct Items {
   std::vector<std::string> shapes;
   std::vector<std::string> texts;
   std::size_t repeats = 0;
 };
 
-Items items(Text& text) {
-  Items out;
+void add_items(Text& text, NodeId block, Items& out) {
   Ast& ast = text.parsed.ast;
   const auto add = [&](NodeId id) {
+    if (ast.kind(id) == Kind::override_ && shape(ast, text.symbols, ast.override_(id).base) == "group")
+      return add_items(text, ast.override_(id).block, out);
     out.shapes.push_back(shape(ast, text.symbols, id));
     out.texts.emplace_back(text.sources.text(ast.span(id)));
   };
-  const NodeList children = ast.children(ast.root);
+  const NodeList children = ast.children(block);
   for (const NodeId id : std::vector<NodeId>(children.begin(), children.end())) {
     if (ast.kind(id) != Kind::repeat) {
       add(id);
@@ -40,6 +41,11 @@ Items items(Text& text) {
       add(repeat.model);
     }
   }
+}
+
+Items items(Text& text) {
+  Items out;
+  add_items(text, text.parsed.ast.root, out);
   return out;
 }
 
@@ -136,4 +142,94 @@ TEST_CASE("repeats: errors in the middle are found and cost only their item") {
   const std::string scene = spheres(30) + "sphere { radius 1 }\n" + spheres(30) + "sphere { radius: }\n" + spheres(30);
   CHECK(parse_text(scene, folding).codes() == std::vector<std::string>{"E0102", "E0101"});
   check_folding(scene);
+}
+
+TEST_CASE("repeats: what only looks like an item of the same wording is read as what it is") {
+  // Each stands among items that repeat `sphere { at: [1, -2, 3.5], radius: 1 }` by their text alone.
+  const char* const others[] = {
+      "sphere { at: [1, 2, 3], radius: 1 }.at(1, 2, 3)",
+      "sphere { at: [1, 2, 3], radius: 1 }\n  .at(1, 2, 3)",
+      "sphere { at: [1, 2, 3], radius: 1 }\n\n // a comment\n  .at(1, 2, 3)",
+      "sphere { at: [1, 2, 3], radius: 1 } { radius: 2 }",
+      "sphere { at: [1, 2, 3], radius: 1 }\n{ radius: 2 }", // an error
+      "sphere { at: [1, 2, 3], radius: 1 } | box {}",
+      "sphere { at: [1, 2, 3], radius: 1 } // a comment",
+      "sphere { at: [1, 2, 3], radius: 1 } # no comment",
+      "sphere { at: [1, 2, 3], radius: 1 }; sphere { at: [4, 5, 6], radius: 1 }",
+      "sphere { at: [1, 2, 3], radius: 1 }, sphere { at: [4, 5, 6], radius: 1 }",
+      "sphere { at: [1, 2, 3], radius: 1 } sphere { at: [4, 5, 6], radius: 1 }", // an error
+      "sphere { at: [1, 2, 3], radius: 1 }   \r",
+      "sphere { at: [1, 2, 3], radius: 1 }}", // an error
+      "sphere { at: [1, 2, 3], radius: 1e2 }",
+      "sphere { at: [1, 2, 3], radius: 1E-2 }",
+      "sphere { at: [1, 2, 3], radius: 1e }",    // an error
+      "sphere { at: [1, 2, 3], radius: 1e999 }", // an error
+      "sphere { at: [1, 2, 3], radius: 1. }",    // an error
+      "sphere { at: [1, 2, 3], radius: .5 }",    // an error
+      "sphere { at: [1, 2, 3], radius: 0x10 }",  // an error
+      "sphere { at: [1, 2, 3], radius: 1_000 }", // an error
+      "sphere { at: [1, 2, 3], radius: 1turn }",
+      "sphere { at: [1, 2, 3], radius: 1.5.x }",
+      "sphere { at: [1, 2, 3], radius: 1..2 }",
+      "sphere { at: [1, 2, 3], radius: 1 + 2 }",
+      "sphere { at: [1, 2, 3], radius: 1 - 2 }",
+      "sphere { at: [1, 2, 3], radius: -1 }",
+      "sphere { at: [1, 2, 3], radius: - 1 }",
+      "sphere { at: [1, 2, 3], radius: --1 }",
+      "sphere { at: [1, 2, 3], radius: -2^2 }",
+      "sphere { at: [1 -2, 3], radius: 1 }",
+      "sphere { at: [1\n, -2, 3], radius: 1 }",
+      "sphere { at: [1\n-2, 3], radius: 1 }",
+      "sphere { at: [0.30000000000000000000000000000001, 123456789012345678901234567890, -0], radius: 1 }",
+  };
+  for (const char* other : others) {
+    INFO(other);
+    check_folding(spheres(20) + other + "\n" + spheres(20));
+    check_folding("group {\n" + spheres(20) + other + "\n" + spheres(3) + other + "}\n");
+    check_folding("group {\n" + spheres(20) + "  " + other); // the end of the file, in an open brace
+  }
+  std::mt19937 random(11);
+  for (int round = 0; round < 50; ++round) {
+    std::string scene = spheres(20);
+    for (int i = 0; i < 40; ++i)
+      scene += random() % 2 == 0 ? spheres(1) : others[random() % std::size(others)] + std::string("\n");
+    check_folding(scene);
+  }
+}
+
+TEST_CASE("repeats: any item may be the first of its wording") {
+  const char* const firsts[] = {
+      "sphere { radius: -1 }",
+      "sphere { radius: - 1 }",
+      "sphere { radius: 2 - 1 }",
+      "sphere { radius: -2 ^ 2 }",
+      "sphere { radius: (1) }",
+      "sphere { radius: 1, name: \"a, 1\" }",
+      "sphere { radius: 1 /* : 2 */ }",
+      "sphere { radius: 1turn }",
+      "sphere { at: [1, [2, -3], 4].x }",
+      "sphere { radius: x1 }",
+      "sphere { radius: 1; at: 2 }",
+      "sphere {\n  radius: 1\n  at: [1,\n 2,\n -3]\n}",
+      "a.b { x: 1, y: c.d2, z: [1, 2] }",
+      "sphere { radius: 1 && 2 }",
+      "sphere { points: [1\n -2] }",
+      "sphere { radius: [1][0] }",
+      "sphere { radius: 1 }{ radius: 2 }",
+      "sphere { color: #123, radius: 1 }",
+  };
+  for (const char* first : firsts) {
+    INFO(first);
+    std::string scene = spheres(20), again;
+    for (int i = 0; i < 10; ++i) {
+      std::string item = first;
+      for (char& c : item)
+        if (c == '1' || c == '2') c = static_cast<char>('1' + i % 9);
+      scene += item + "\n";
+      again += item + "; ";
+    }
+    check_folding(scene);
+    check_folding(scene + again);
+    check_folding(scene + "x = 1\n" + again + "\n" + scene);
+  }
 }

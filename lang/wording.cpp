@@ -1,0 +1,74 @@
+#include "lang/wording.hpp"
+
+#include "lang/characters.hpp"
+#include "lang/literals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt::lang {
+
+namespace {
+
+constexpr std::string_view before_number = "[,:", after_number = "],};\n";
+// What may hold digits that are no numbers, or numbers in more ways than one.
+constexpr std::string_view doubtful = "\"'#/()";
+
+bool is_one_of(std::string_view set, char c) {
+  return set.find(c) != std::string_view::npos;
+}
+
+} // namespace
+
+std::uint32_t read_signed_number(std::string_view text, std::uint32_t at, double& value) {
+  const bool is_negative = at < text.size() && text[at] == '-';
+  if (is_negative) ++at;
+  if (at >= text.size() || !is_digit(text[at])) return 0;
+  const NumberLiteral literal = read_number(text.substr(at));
+  if (!std::isfinite(literal.value)) return 0;
+  value = is_negative ? -literal.value : literal.value;
+  return at + literal.length;
+}
+
+std::optional<Wording> Wording::of(std::string_view item, std::span<const double> literals) {
+  if (item.find_first_of(doubtful) != std::string_view::npos) return std::nullopt;
+  Wording wording;
+  std::uint32_t begin = 0; // of the piece
+  char last = '\0';        // that is not blank
+  for (std::uint32_t at = 0; at < item.size();) {
+    const char c = item[at];
+    if (is_name_start(c)) {
+      while (at < item.size() && is_name_part(item[at])) ++at;
+    } else if (is_digit(c) || (c == '-' && is_one_of(before_number, last))) {
+      double value = 0;
+      const std::uint32_t end = read_signed_number(item, at, value);
+      const std::size_t next = item.find_first_not_of(" \t\r", end);
+      const std::size_t number = wording.pieces_.size();
+      if (!is_one_of(before_number, last) || end == 0 || next == std::string_view::npos ||
+          !is_one_of(after_number, item[next]) || number == literals.size() || literals[number] != value)
+        return std::nullopt;
+      wording.pieces_.push_back(item.substr(begin, at - begin));
+      begin = at = end;
+    } else {
+      ++at;
+    }
+    if (!is_blank(item[at - 1])) last = item[at - 1];
+  }
+  if (wording.pieces_.size() != literals.size() || last != '}') return std::nullopt;
+  wording.pieces_.push_back(item.substr(begin));
+  return wording;
+}
+
+bool Wording::begins_like(const Wording& other, std::size_t count) const {
+  return pieces_.size() > count && other.pieces_.size() > count &&
+         std::equal(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count), other.pieces_.begin());
+}
+
+bool ends_item(std::string_view text, std::uint32_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  if (at >= text.size() || text[at] != '\n') return at >= text.size() || is_one_of(",;}", text[at]);
+  while (at < text.size() && (is_blank(text[at]) || text[at] == '\n')) ++at;
+  return at >= text.size() || !is_one_of(".{/#", text[at]);
+}
+
+} // namespace rt::lang

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Spheres stand four to a leaf, each with its neighbours: a tree a quarter as large, which waits less for memory, and
-/// one call of a leaf instead of four. What is hit is still one sphere, and `tag` and `surface` are about that.
+/// Spheres stand eight to a leaf, each with its neighbours: a tree an eighth as large, which waits less for memory, and
+/// one call of a leaf instead of eight. What is hit is still one sphere, and `tag` and `surface` are about that.
 template <>
 class ShapeLeaves<InPlace<SphereGeometry>> {
 public:
@@ -21,7 +21,7 @@ public:
   /// Makes leaves of what was added.
   void arrange();
 
-  void nearest(std::uint32_t i, NearestQuery& query) const {
+  [[gnu::always_inline]] void nearest(std::uint32_t i, NearestQuery& query) const {
     const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
     for (unsigned rest = chords.meets(); rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  bool blocks(std::uint32_t i, ShadowQuery& query) const {
+  [[gnu::always_inline]] bool blocks(std::uint32_t i, ShadowQuery& query) const {
     if (query.inspects) [[unlikely]]
       return inspect(i, static_cast<InspectQuery&>(query));
     const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
@@ -70,7 +70,7 @@ private:
 
   std::vector<Added> added_; // until arranged
   std::vector<SpherePack> packs_;
-  std::vector<LeafTag> tags_; // by sphere; only the last pack can have fewer than four
+  std::vector<LeafTag> tags_; // by sphere; only the last pack can have fewer than eight
 };
 
 } // namespace rt

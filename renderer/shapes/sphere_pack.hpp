@@ -7,23 +7,24 @@
 
 namespace rt {
 
-/// Four spheres that are tested at a time.
+/// Eight spheres that are tested at a time.
 struct alignas(64) SpherePack {
-  static constexpr std::uint32_t size = 4;
+  static constexpr std::uint32_t size = 8;
   std::array<double, size> x, y, z; ///< of the centres
   std::array<double, size> radius;  ///< not a number where there is no sphere
 
   SphereGeometry sphere(std::uint32_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
 };
 
-/// The chords that a ray's line makes of four spheres. The arithmetic is that of `intersect` for one sphere, operation
+/// The chords that a ray's line makes of eight spheres. The arithmetic is that of `intersect` for one sphere, operation
 /// by operation, and so are the chords, bit by bit, whatever the processor's registers hold.
 class SpherePackChords {
 public:
-  /// Ways to find them: with two numbers in a register, which every x86-64 has, or with four (AVX2).
+  /// Ways to find them: with two numbers in a register, which every x86-64 has, with four (AVX2) or with eight
+  /// (AVX-512).
   using Find = void(SpherePackChords&, const SpherePack&, const Ray&, double);
-  static Find find_by_two, find_by_four;
-  static bool has_four(); ///< whether this processor has the second
+  static Find find_by_two, find_by_four, find_by_eight;
+  static bool has_four(), has_eight(); ///< whether this processor has the second, the third
 
   /// `inverse` is 1 / |direction|².
   SpherePackChords(const SpherePack& pack, const Ray& ray, double inverse, Find* find = best_find) {
@@ -36,11 +37,12 @@ public:
 
 private:
   template <class Lanes>
-  unsigned find_lanes(const SpherePack& pack, std::uint32_t first, const Ray& ray, double inverse);
+  void find_lanes(const SpherePack& pack, std::uint32_t first, const Ray& ray, double inverse, Lanes& half_squared,
+                  Lanes& power, Lanes& along);
 
   static Find* const best_find;
 
-  alignas(32) std::array<double, SpherePack::size> middle_, half_squared_, product_;
+  std::array<double, SpherePack::size> middle_, half_squared_, product_;
   unsigned meets_;
 };
 

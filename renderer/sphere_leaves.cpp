@@ -1,11 +1,46 @@
 #include "renderer/sphere_leaves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 
 namespace rt {
 namespace {
+
+// Puts the spheres first whose centre lies below `value`, and gives their number. Without a branch that depends on it:
+// nothing could predict those.
+template <class Added>
+std::size_t split(std::span<Added> spheres, std::size_t axis, double value) {
+  std::size_t below = 0;
+  for (Added& a : spheres) {
+    const bool is_below = a.sphere.center[axis] < value;
+    std::swap(a, spheres[below]);
+    below += is_below;
+  }
+  return below;
+}
+
+// Does to the centres' coordinate along an axis what std::nth_element does, and gives it the last few.
+template <class Added>
+void select(std::span<Added> spheres, std::size_t n, std::size_t axis) {
+  constexpr std::size_t sample_size = 15, few = 64;
+  while (spheres.size() > few) {
+    std::array<double, sample_size> sample;
+    for (std::size_t i = 0; i < sample_size; ++i)
+      sample[i] = spheres[i * spheres.size() / sample_size].sphere.center[axis];
+    const auto pivot = sample.begin() + static_cast<std::ptrdiff_t>(n * sample_size / spheres.size());
+    std::nth_element(sample.begin(), pivot, sample.end());
+    const std::size_t below = split(spheres, axis, *pivot);
+    if (below == 0 || below == spheres.size()) break; // many are equal
+    if (n < below)
+      spheres = spheres.first(below);
+    else
+      spheres = spheres.subspan(below), n -= below;
+  }
+  std::nth_element(spheres.begin(), spheres.begin() + static_cast<std::ptrdiff_t>(n), spheres.end(),
+                   [axis](const Added& a, const Added& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
+}
 
 // Orders the spheres so that each pack's are neighbours: the whole is cut in two across its longest side, the cut
 // falling between two packs, then each half, and so on.
@@ -18,8 +53,7 @@ void group_neighbours(std::span<Added> spheres) {
     const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const std::size_t packs = (spheres.size() + SpherePack::size - 1) / SpherePack::size;
     const std::size_t cut = packs / 2 * SpherePack::size;
-    std::nth_element(spheres.begin(), spheres.begin() + static_cast<std::ptrdiff_t>(cut), spheres.end(),
-                     [axis](const Added& a, const Added& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
+    select(spheres, cut, axis);
     group_neighbours(spheres.first(cut));
     spheres = spheres.subspan(cut);
   }

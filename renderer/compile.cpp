@@ -80,7 +80,7 @@ private:
     }
     const scene::Object& object = frame.objects[position];
     if (!object.is_visible) return;
-    const Affine map = frame.map * to_parent(scene_, object);
+    const Affine map = placed_in(frame.map, object);
     const StyleId style = styles_.of(object, map, frame.style);
     const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
     if (object.shape.kind == scene::kind_of<scene::Group> && !usage_.is_instanced(object.shape.index)) {
@@ -90,6 +90,12 @@ private:
       return;
     }
     add(object, map, LeafTag(new_slot(frame.source, position), style, casts_shadow));
+  }
+
+  // Most objects of a large scene are only moved.
+  Affine placed_in(const Affine& outer, const scene::Object& object) const {
+    if (object.turn == scene::no_turn) return {outer.x, outer.y, outer.z, outer.point(object.at)};
+    return outer * to_parent(scene_, object);
   }
 
   std::uint32_t new_slot(std::uint32_t source, std::uint32_t position) {

@@ -27,7 +27,11 @@ struct SphereGeometry {
 
 SphereGeometry geometry(const scene::Sphere& sphere);
 std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine& map);
-Box3 bounds(const SphereGeometry& sphere, const Affine& map = {});
+Box3 bounds(const SphereGeometry& sphere, const Affine& map);
+inline Box3 bounds(const SphereGeometry& sphere) {
+  const Vec3 reach{sphere.radius, sphere.radius, sphere.radius};
+  return {sphere.center - reach, sphere.center + reach};
+}
 
 inline SurfacePoint surface_point(const SphereGeometry& sphere, const Ray& ray, const Hit& hit) {
   const Vec3 normal = normalize(relative_point(ray, hit, sphere.center));

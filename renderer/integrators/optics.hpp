@@ -3,6 +3,8 @@
 #include "renderer/math/color.hpp"
 #include "renderer/math/vec3.hpp"
 
+#include <cmath>
+
 /// The physics of Whitted's model, one formula each. `n` is a unit normal turned against the unit direction `d`.
 namespace rt {
 
@@ -20,6 +22,17 @@ constexpr double cos2_refracted(double cos_incident, double eta) {
 /// The refracted direction; `cos_refracted` is the root of cos2_refracted.
 constexpr Vec3 refract(const Vec3& d, const Vec3& n, double eta, double cos_incident, double cos_refracted) {
   return d * eta + n * (eta * cos_incident - cos_refracted);
+}
+
+/// A highlight's cosine to the power of its sharpness. Most are whole numbers, and then some multiplications do.
+inline double to_power(double cosine, double shininess) {
+  constexpr double most = 256; // each unit adds a rounding
+  if (!(shininess >= 1 && shininess <= most && shininess == std::floor(shininess))) return std::pow(cosine, shininess);
+  double result = 1;
+  for (auto rest = static_cast<unsigned>(shininess);; cosine *= cosine) {
+    if (rest % 2 == 1) result *= cosine;
+    if ((rest /= 2) == 0) return result;
+  }
 }
 
 /// The share of unpolarised light that a smooth dielectric reflects; `eta` is the ior of the other side by that of this

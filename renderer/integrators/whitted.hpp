@@ -298,7 +298,7 @@ private:
                                                                     : dot(reflect(direction, m.normal), l);
       if (record.cos_highlight > 0) {
         record.tint = metallic_tint(v.metallic, record.cos_light, v.color);
-        record.highlight = arriving * record.tint * (v.specular * std::pow(record.cos_highlight, v.shininess));
+        record.highlight = arriving * record.tint * (v.specular * to_power(record.cos_highlight, v.shininess));
       }
     }
     recorder_.light(record, m.surface);

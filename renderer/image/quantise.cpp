@@ -6,15 +6,12 @@
 #include <limits>
 
 namespace rt {
-namespace {
 
-std::uint16_t by_formula(float linear, int maximum) {
+std::uint16_t SrgbQuantiser::by_formula(float linear, int maximum) {
   if (!(linear > 0)) return 0; // also what is not a number
   if (linear >= 1) return static_cast<std::uint16_t>(maximum);
   return static_cast<std::uint16_t>(std::floor(linear_to_srgb(static_cast<double>(linear)) * maximum + 0.5));
 }
-
-} // namespace
 
 SrgbQuantiser::SrgbQuantiser(int bits) : bits_(bits) {
   if (bits != 8) return;
@@ -27,14 +24,6 @@ SrgbQuantiser::SrgbQuantiser(int bits) : bits_(bits) {
   first_of_next_[255] = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i <= buckets; ++i)
     lowest_[i] = static_cast<std::uint8_t>(by_formula(static_cast<float>(i) / buckets, 255));
-}
-
-std::uint16_t SrgbQuantiser::operator()(float linear) const {
-  if (bits_ != 8) return by_formula(linear, 65535);
-  if (!(linear > 0)) return 0;
-  if (linear >= 1) return 255;
-  const std::size_t code = lowest_[static_cast<std::size_t>(linear * buckets)];
-  return static_cast<std::uint16_t>(code + (linear >= first_of_next_[code]));
 }
 
 } // namespace rt

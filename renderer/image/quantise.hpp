@@ -11,9 +11,17 @@ class SrgbQuantiser {
 public:
   /// `bits` is 8 or 16.
   explicit SrgbQuantiser(int bits);
-  std::uint16_t operator()(float linear) const;
+  std::uint16_t operator()(float linear) const {
+    if (bits_ != 8) return by_formula(linear, 65535);
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 255;
+    const std::size_t code = lowest_[static_cast<std::size_t>(linear * buckets)];
+    return static_cast<std::uint16_t>(code + (linear >= first_of_next_[code]));
+  }
 
 private:
+  static std::uint16_t by_formula(float linear, int maximum);
+
   static constexpr int buckets = 4096; // no code is so narrow that a bucket meets more than two
   int bits_;
   std::array<float, 256> first_of_next_{};        ///< the least value above code k's own

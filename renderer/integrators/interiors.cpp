@@ -5,12 +5,6 @@
 
 namespace rt {
 
-InteriorLists::List InteriorLists::make(const std::vector<Interior>& interiors) {
-  const List list{mark(), static_cast<std::uint32_t>(interiors.size())};
-  storage_.insert(storage_.end(), interiors.begin(), interiors.end());
-  return list;
-}
-
 InteriorLists::List InteriorLists::after(List list, const Interior& it, std::uint32_t owned_from) {
   const std::uint32_t gone = find(list, it.id);
   if (gone + 1 == list.size) return {list.begin, gone};

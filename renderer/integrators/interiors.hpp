@@ -35,7 +35,11 @@ public:
   const Interior* end(List list) const { return begin(list) + list.size; }
   double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
 
-  List make(const std::vector<Interior>& interiors);
+  List make(const std::vector<Interior>& interiors) {
+    const List list{mark(), static_cast<std::uint32_t>(interiors.size())};
+    if (!interiors.empty()) storage_.insert(storage_.end(), interiors.begin(), interiors.end());
+    return list;
+  }
 
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.

@@ -14,16 +14,10 @@ public:
   /// The ray through a point of the picture in continuous pixel coordinates: (0, 0) is the top left corner, and the
   /// pixel (i, j) has its centre at (i + ½, j + ½). The direction is a unit vector.
   Ray ray(double x, double y) const {
-    return ray(column(x), row(y));
-  }
-  /// The same where many points share a column or a row.
-  Ray ray(const Vec3& column, const Vec3& row) const {
-    const Vec3 across = column + row;
+    const Vec3 across = right_ * (2 * x / width_ - 1) + down_ * (2 * y / height_ - 1);
     if (is_orthographic_) return {origin_ + across, forward_};
     return {origin_, normalize(forward_ + across)};
   }
-  Vec3 column(double x) const { return right_ * (2 * x / width_ - 1); }
-  Vec3 row(double y) const { return down_ * (2 * y / height_ - 1); }
 
   /// The place of one sample within a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's
   /// centre.

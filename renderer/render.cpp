@@ -131,14 +131,8 @@ private:
       for (int sample = 0; sample < n * n; ++sample) {
         const CameraRays::Place place(sample, n);
         StaticVector<Ray, accel::packet_size> rays;
-        std::array<Vec3, block_side> columns;
-        for (int x = block.x0; x < block.x1; ++x)
-          columns[static_cast<std::size_t>(x - block.x0)] = job_.camera_.column(x + place.x);
-        for (int y = block.y0; y < block.y1; ++y) {
-          const Vec3 row = job_.camera_.row(y + place.y);
-          for (int x = block.x0; x < block.x1; ++x)
-            rays.add([&] { return job_.camera_.ray(columns[static_cast<std::size_t>(x - block.x0)], row); });
-        }
+        for_each_pixel(block,
+                       [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
         trace_rays(rays, values);
         if (job_.is_stopped()) return false;
         for (std::size_t i = 0; i < rays.size(); ++i) sums[i] += values[i];

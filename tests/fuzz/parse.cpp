@@ -4,6 +4,7 @@
 
 #include "lang/parse.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
@@ -39,10 +40,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   SymbolTable symbols;
   const std::string text(data, data + size);
   const FileId file = sources.add("fuzz.rtl", "", text);
-  const Parsed plain = parse(sources, file, symbols);
+  const Parsed plain = parse(sources, file, symbols, {.is_session = true});
   const Parsed folded = parse(sources, file, symbols, {.folds_repeats = true, .is_session = true});
   check(plain, sources, symbols);
   check(folded, sources, symbols);
+  require(std::equal(plain.diagnostics.begin(), plain.diagnostics.end(), folded.diagnostics.begin(),
+                     folded.diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.code == b.code && a.span == b.span; }));
   check(parse_expression(sources, file, symbols), sources, symbols);
   is_complete(text);
   return 0;

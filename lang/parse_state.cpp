@@ -202,7 +202,15 @@ void ParseState::close_record(std::uint32_t end) {
   for (std::uint32_t i = 0; i < build.parts(); ++i) {
     Node& node = ast[build.part(i).node];
     if (node.kind == Kind::property || node.kind == Kind::error) continue;
-    report(syntax_error("E0132", span(node.begin, node.end), "a record holds properties only", "write `name: value`"));
+    const auto complain_of = [&](Span item) {
+      report(syntax_error("E0132", item, "a record holds properties only", "write `name: value`"));
+    };
+    if (node.kind == Kind::repeat) {
+      const Repeat& repeat = ast.repeats[node.a];
+      for (std::uint32_t item = 0; item < repeat.count; ++item) complain_of(ast.item_span(repeat, item));
+    } else {
+      complain_of(span(node.begin, node.end));
+    }
     node.kind = Kind::error;
     node.a = static_cast<std::uint32_t>(no_symbol);
   }

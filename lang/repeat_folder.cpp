@@ -1,6 +1,7 @@
 #include "lang/repeat_folder.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace rt::lang {
 
@@ -178,33 +179,43 @@ bool RepeatFolder::extend_repeat(const Model& model) {
   return true;
 }
 
-// From the last operand, an item of that wording; `literals_` are its own.
+// From the text of the last operand, the first item that repeats the model; `literals_` are its own. If that leaves a
+// doubt, the model's items all go through the grammar.
 void RepeatFolder::learn_wording(Model& model, std::string_view text) const {
   const AstBuilder::Operand& item = builder_.top();
   model.wording = Wording::of(text.substr(item.begin, item.end - item.begin), literals_);
 }
 
-// A model whose wording agrees with that of `so_far` up to a number, and goes on behind it as `rest` does.
-const RepeatFolder::Model* RepeatFolder::model_with(std::string_view rest, const Model* so_far,
-                                                    std::size_t numbers) const {
-  const auto goes_on = [&](const Model& model) { return rest.starts_with(model.wording->piece(numbers)); };
-  if (so_far && goes_on(*so_far)) return so_far;
-  for (const Model& model : known_models()) {
-    if (!model.wording || model.wording->numbers() < numbers || !goes_on(model)) continue;
-    if (!so_far || model.wording->begins_like(*so_far->wording, numbers)) return &model;
-  }
-  return nullptr;
-}
-
+// Follows the text along one model; where it leaves that for another, all models that have left it too are out.
 std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, std::uint32_t begin) {
-  literals_.clear();
-  std::uint32_t at = begin;
+  const std::span<const Model> models = known_models();
+  static_assert(most_models <= 64);
+  std::uint64_t candidates = 0; // a bit for each model; all agree with one another on the first `agreed` pieces
+  for (std::size_t i = 0; i < models.size(); ++i) candidates |= std::uint64_t{models[i].wording.has_value()} << i;
+  std::size_t agreed = 0;
   const Model* model = nullptr;
+  std::uint32_t at = begin;
+  literals_.clear();
   for (;;) {
-    model = model_with(text.substr(at), model, literals_.size());
-    if (!model) return std::nullopt;
-    at += static_cast<std::uint32_t>(model->wording->piece(literals_.size()).size());
-    if (literals_.size() == model->wording->numbers()) break;
+    const std::size_t number = literals_.size();
+    const std::string_view rest = text.substr(at);
+    const auto goes_on = [&](const Wording& w) { return number <= w.numbers() && rest.starts_with(w.piece(number)); };
+    if (!model || !goes_on(*model->wording)) {
+      const Model* next = nullptr;
+      for (std::uint64_t left = candidates; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const Wording& w = *models[i].wording;
+        if (!goes_on(w) || (model && !w.agrees(*model->wording, agreed, number)))
+          candidates &= ~(std::uint64_t{1} << i);
+        else if (!next)
+          next = &models[i];
+      }
+      if (!next) return std::nullopt;
+      model = next;
+      agreed = number + 1;
+    }
+    at += static_cast<std::uint32_t>(model->wording->piece(number).size());
+    if (number == model->wording->numbers()) break;
     at = read_signed_number(text, at, literals_.emplace_back());
     if (at == 0) return std::nullopt;
   }

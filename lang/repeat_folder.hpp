@@ -59,7 +59,6 @@ private:
   bool has_wording_of(const Model& item, const Model& model) const;
   void take_literals(const Model& item, std::vector<double>& literals) const;
   void learn_wording(Model& model, std::string_view text) const;
-  const Model* model_with(std::string_view rest, const Model* so_far, std::size_t numbers) const;
   void begin_repeat(const Model& model, std::uint32_t operand, const std::vector<double>& literals, bool is_first);
   bool extend_repeat(const Model& model);
 

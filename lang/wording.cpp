@@ -10,12 +10,25 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::string_view before_number = "[,:", after_number = "],};\n";
+constexpr std::string_view before_number = "[,:", after_number = "],};";
 // What may hold digits that are no numbers, or numbers in more ways than one.
 constexpr std::string_view doubtful = "\"'#/()";
 
 bool is_one_of(std::string_view set, char c) {
   return set.find(c) != std::string_view::npos;
+}
+
+// Whether what ends at `at` is surely whole: it is before one of these marks, and before a line's end if the next line
+// does not begin with a dot, a brace or a comment.
+bool ends(std::string_view text, std::size_t at, std::string_view marks) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  if (at >= text.size() || text[at] != '\n') return at >= text.size() || is_one_of(marks, text[at]);
+  while (at < text.size() && (is_blank(text[at]) || text[at] == '\n')) ++at;
+  return at >= text.size() || !is_one_of(".{/#", text[at]);
+}
+
+bool is_same(double a, double b) {
+  return a == b && std::signbit(a) == std::signbit(b);
 }
 
 } // namespace
@@ -42,10 +55,9 @@ std::optional<Wording> Wording::of(std::string_view item, std::span<const double
     } else if (is_digit(c) || (c == '-' && is_one_of(before_number, last))) {
       double value = 0;
       const std::uint32_t end = read_signed_number(item, at, value);
-      const std::size_t next = item.find_first_not_of(" \t\r", end);
       const std::size_t number = wording.pieces_.size();
-      if (!is_one_of(before_number, last) || end == 0 || next == std::string_view::npos ||
-          !is_one_of(after_number, item[next]) || number == literals.size() || literals[number] != value)
+      if (!is_one_of(before_number, last) || end == 0 || !ends(item, end, after_number) || number == literals.size() ||
+          !is_same(literals[number], value))
         return std::nullopt;
       wording.pieces_.push_back(item.substr(begin, at - begin));
       begin = at = end;
@@ -59,16 +71,14 @@ std::optional<Wording> Wording::of(std::string_view item, std::span<const double
   return wording;
 }
 
-bool Wording::begins_like(const Wording& other, std::size_t count) const {
-  return pieces_.size() > count && other.pieces_.size() > count &&
-         std::equal(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count), other.pieces_.begin());
+bool Wording::agrees(const Wording& other, std::size_t first, std::size_t last) const {
+  const auto begin = [&](const Wording& w) { return w.pieces_.begin() + static_cast<std::ptrdiff_t>(first); };
+  return pieces_.size() >= last && other.pieces_.size() >= last &&
+         std::equal(begin(*this), pieces_.begin() + static_cast<std::ptrdiff_t>(last), begin(other));
 }
 
 bool ends_item(std::string_view text, std::uint32_t at) {
-  while (at < text.size() && is_blank(text[at])) ++at;
-  if (at >= text.size() || text[at] != '\n') return at >= text.size() || is_one_of(",;}", text[at]);
-  while (at < text.size() && (is_blank(text[at]) || text[at] == '\n')) ++at;
-  return at >= text.size() || !is_one_of(".{/#", text[at]);
+  return ends(text, at, ",;}");
 }
 
 } // namespace rt::lang

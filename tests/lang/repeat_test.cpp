@@ -197,6 +197,52 @@ TEST_CASE("repeats: what only looks like an item of the same wording is read as 
   }
 }
 
+TEST_CASE("repeats: a number whose next line begins with a dot is part of something") {
+  const std::string begin = "group { " + spheres(20);
+  for (const char* form : {"s { x, @\n.y }\n", "s { x: p[@\n .y] }\n", "s { x: @\n.y }\n", "s { x: [1, @\n\n.y] }\n",
+                           "s { x, @\n{} }\n"}) {
+    for (const char* numbers : {"111-1", "-1-1-11", "-0-01", "00-0", "1111"}) {
+      std::string scene = begin;
+      for (const char* c = numbers; *c != 0; ++c) {
+        std::string item = form, number(1, *c);
+        if (*c == '-') number += *++c;
+        scene += item.replace(item.find('@'), 1, number);
+      }
+      INFO(scene);
+      check_folding(scene + "}\n");
+    }
+  }
+}
+
+TEST_CASE("repeats: what a record must not hold is told of item by item") {
+  std::string record = "r = {\n";
+  for (int i = 0; i < 24; ++i) record += "sphere { at: [" + std::to_string(i) + ", 0, 0] }\n";
+  CHECK(parse_text(record + "}\n", folding).codes() == std::vector<std::string>(24, "E0132"));
+}
+
+TEST_CASE("repeats: wordings that part late, early, and not at all") {
+  std::mt19937 random(17);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::string> forms;
+    for (int form = 0; form < 8; ++form) {
+      std::string text = "s { ";
+      for (int i = 0, n = 1 + static_cast<int>(random() % 4); i < n; ++i) {
+        text += random() % 4 == 0 ? "b" : "a";
+        text += random() % 3 == 0 ? ": [@, @], " : ": @, ";
+      }
+      forms.push_back(text + (random() % 2 == 0 ? "c: x }\n" : "}\n"));
+    }
+    std::string scene = spheres(16);
+    for (int i = 0; i < 60; ++i) {
+      std::string item = forms[random() % forms.size()];
+      for (std::size_t at = 0; (at = item.find('@')) != std::string::npos;)
+        item.replace(at, 1, std::to_string(static_cast<int>(random() % 100) - 50));
+      scene += item;
+    }
+    check_folding(scene);
+  }
+}
+
 TEST_CASE("repeats: any item may be the first of its wording") {
   const char* const firsts[] = {
       "sphere { radius: -1 }",

@@ -29,10 +29,12 @@ TEST_CASE("wording: what stands between the numbers") {
 }
 
 TEST_CASE("wording: none where a number may be part of something else, or is not what the grammar found") {
-  for (const char* item : {"a { b: 1 + 1 }", "a { b: 1 - 1 }", "a { b: 1..1 }", "a { b: 1turn }",   "a { b: 1.x }",
-                           "a { b: (1) }",   "a { b: \"1\" }", "a { b: #111 }", "a { b: 1 // 1\n}", "a { b: [\n1] }",
-                           "a { b: x - 1 }", "a { b: x -1 }",  "a { b: -x }",   "a { b: - 1 }",     "a { 1 }",
-                           "a { b: 1[0] }",  "a { b: 1 }.c",   "a { b: '1' }",  "a { b: -1 ^ 1 }",  "a { b: .1 }"}) {
+  for (const char* item : {"a { b: 1 + 1 }",   "a { b: 1 - 1 }", "a { b: 1..1 }",  "a { b: 1turn }",
+                           "a { b: 1.x }",     "a { b: (1) }",   "a { b: \"1\" }", "a { b: #111 }",
+                           "a { b: 1 // 1\n}", "a { b: [\n1] }", "a { b: x - 1 }", "a { b: x -1 }",
+                           "a { b: -x }",      "a { b: - 1 }",   "a { b: 1\n.x }", "a { b: [1\n, 1\n \n{}] }",
+                           "a { 1 }",          "a { b: 1[0] }",  "a { b: 1 }.c",   "a { b: '1' }",
+                           "a { b: -1 ^ 1 }",  "a { b: .1 }"}) {
     INFO(item);
     CHECK(pieces(item, {1}).empty());
     CHECK(pieces(item, {1, 1}).empty());
@@ -40,6 +42,7 @@ TEST_CASE("wording: none where a number may be part of something else, or is not
   }
   CHECK(pieces("a { b: 1 }", {}).empty());
   CHECK(pieces("a { b: 1 }", {2}).empty());
+  CHECK(pieces("a { b: -0 }", {0}).empty());
   CHECK(pieces("a { b: 1 }", {1, 1}).empty());
   CHECK(pieces("", {}).empty());
 }

@@ -21,11 +21,13 @@ std::size_t split(std::span<Added> spheres, std::size_t axis, double value) {
   return below;
 }
 
-// Does to the centres' coordinate along an axis what std::nth_element does, and gives it the last few.
+// Does to the centres' coordinate along an axis what std::nth_element does, and gives it the last few; or what is left
+// if the samples were misleading for too long.
 template <class Added>
 void select(std::span<Added> spheres, std::size_t n, std::size_t axis) {
   constexpr std::size_t sample_size = 15, few = 64;
-  while (spheres.size() > few) {
+  constexpr int most_splits = 32;
+  for (int splits = 0; splits < most_splits && spheres.size() > few; ++splits) {
     std::array<double, sample_size> sample;
     for (std::size_t i = 0; i < sample_size; ++i)
       sample[i] = spheres[i * spheres.size() / sample_size].sphere.center[axis];

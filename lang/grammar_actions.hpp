@@ -46,11 +46,10 @@ struct action<number> : placed<action<number>> {
 template <>
 struct action<plain_number> : placed<action<plain_number>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    const bool is_negative = state.text[begin] == '-';
-    const std::uint32_t first = begin + (is_negative ? 1 : 0);
-    const NumberLiteral literal = read_number(state.text.substr(first, end - first));
-    if (std::isinf(literal.value)) return state.number(first, first + literal.length); // reports it
-    state.build.number(begin, first + literal.length, is_negative ? -literal.value : literal.value);
+    const NumberLiteral literal = read_signed_number(state.text.substr(begin, end - begin));
+    const std::uint32_t last = begin + literal.length;
+    if (std::isinf(literal.value)) return state.number(begin + (state.text[begin] == '-' ? 1 : 0), last); // reports it
+    state.build.number(begin, last, literal.value);
   }
 };
 

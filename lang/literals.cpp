@@ -64,6 +64,13 @@ NumberLiteral read_number(std::string_view text) {
   return {scale < 0 ? whole / exact_power[-scale] : whole * exact_power[scale], length};
 }
 
+NumberLiteral read_signed_number(std::string_view text) {
+  const std::uint32_t sign = text.starts_with('-') ? 1 : 0;
+  if (text.size() <= sign || !is_digit(text[sign])) return {0, 0};
+  const NumberLiteral number = read_number(text.substr(sign));
+  return {sign != 0 ? -number.value : number.value, sign + number.length};
+}
+
 double degrees_per(std::string_view suffix) {
   if (suffix == "deg") return 1;
   if (suffix == "rad") return 180 / std::numbers::pi;

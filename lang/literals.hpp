@@ -14,6 +14,8 @@ struct NumberLiteral {
 };
 /// Rounds to the nearest double, as the C++ library does. Requires a text that begins with a digit, or a point and a digit.
 NumberLiteral read_number(std::string_view text);
+/// The same with a minus before it, or without; the length is 0 where no digit follows.
+NumberLiteral read_signed_number(std::string_view text);
 
 /// What one of `suffix` is in degrees; 0 where there is no such unit.
 double degrees_per(std::string_view suffix);

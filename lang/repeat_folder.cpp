@@ -1,7 +1,10 @@
 #include "lang/repeat_folder.hpp"
 
+#include "lang/literals.hpp"
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace rt::lang {
 
@@ -216,8 +219,10 @@ std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, st
     }
     at += static_cast<std::uint32_t>(model->wording->piece(number).size());
     if (number == model->wording->numbers()) break;
-    at = read_signed_number(text, at, literals_.emplace_back());
-    if (at == 0) return std::nullopt;
+    const NumberLiteral literal = read_signed_number(text.substr(at));
+    if (literal.length == 0 || std::isinf(literal.value)) return std::nullopt; // no number, or one to complain of
+    literals_.push_back(literal.value);
+    at += literal.length;
   }
   if (!ends_item(text, at)) return std::nullopt;
   builder_.nothing(begin);

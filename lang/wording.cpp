@@ -33,16 +33,6 @@ bool is_same(double a, double b) {
 
 } // namespace
 
-std::uint32_t read_signed_number(std::string_view text, std::uint32_t at, double& value) {
-  const bool is_negative = at < text.size() && text[at] == '-';
-  if (is_negative) ++at;
-  if (at >= text.size() || !is_digit(text[at])) return 0;
-  const NumberLiteral literal = read_number(text.substr(at));
-  if (!std::isfinite(literal.value)) return 0;
-  value = is_negative ? -literal.value : literal.value;
-  return at + literal.length;
-}
-
 std::optional<Wording> Wording::of(std::string_view item, std::span<const double> literals) {
   if (item.find_first_of(doubtful) != std::string_view::npos) return std::nullopt;
   Wording wording;
@@ -53,11 +43,11 @@ std::optional<Wording> Wording::of(std::string_view item, std::span<const double
     if (is_name_start(c)) {
       while (at < item.size() && is_name_part(item[at])) ++at;
     } else if (is_digit(c) || (c == '-' && is_one_of(before_number, last))) {
-      double value = 0;
-      const std::uint32_t end = read_signed_number(item, at, value);
+      const NumberLiteral literal = read_signed_number(item.substr(at));
+      const std::uint32_t end = at + literal.length;
       const std::size_t number = wording.pieces_.size();
-      if (!is_one_of(before_number, last) || end == 0 || !ends(item, end, after_number) || number == literals.size() ||
-          !is_same(literals[number], value))
+      if (!is_one_of(before_number, last) || literal.length == 0 || !ends(item, end, after_number) ||
+          number == literals.size() || !is_same(literals[number], literal.value))
         return std::nullopt;
       wording.pieces_.push_back(item.substr(begin, at - begin));
       begin = at = end;

@@ -27,10 +27,6 @@ private:
   std::vector<std::string_view> pieces_; // of the source text
 };
 
-/// A number as it stands in a wording: the sign belongs to it. Gives where it ends; 0 where there is none, or none that
-/// is finite.
-std::uint32_t read_signed_number(std::string_view text, std::uint32_t at, double& value);
-
 /// Whether an item that could end here, behind its brace, does: that is what a comma or the end of the line says if no
 /// dot, brace or comment follows.
 bool ends_item(std::string_view text, std::uint32_t at);

@@ -44,27 +44,32 @@ template <class Lanes>
   store(&product_[first], power * inverse);
 }
 
-void SpherePackChords::find_by_two(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
-  chords.meets_ = 0;
-  for (std::uint32_t first = 0; first < SpherePack::size; first += 2) {
-    Two half_squared, power, along;
-    chords.find_lanes(pack, first, ray, inverse, half_squared, power, along);
+// As many at a time as there are lanes.
+template <class Lanes>
+[[gnu::always_inline]] inline void SpherePackChords::find_all(const SpherePack& pack, const Ray& ray, double inverse) {
+  constexpr std::uint32_t lanes = sizeof(Lanes) / sizeof(double);
+  meets_ = 0;
+  for (std::uint32_t first = 0; first < SpherePack::size; first += lanes) {
+    Lanes half_squared, power, along;
+    find_lanes(pack, first, ray, inverse, half_squared, power, along);
     const auto meets = (half_squared >= 0) & ~((power > 0) & (along <= 0));
-    chords.meets_ |= static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(meets))) << first;
+    __m128d pairs[lanes / 2];
+    std::memcpy(pairs, &meets, sizeof pairs);
+    for (std::uint32_t i = 0; i < lanes; i += 2)
+      meets_ |= static_cast<unsigned>(_mm_movemask_pd(pairs[i / 2])) << (first + i);
   }
+}
+
+void SpherePackChords::find_by_two(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
+  chords.find_all<Two>(pack, ray, inverse);
 }
 
 __attribute__((target("avx2"))) void SpherePackChords::find_by_four(SpherePackChords& chords, const SpherePack& pack,
                                                                     const Ray& ray, double inverse) {
-  chords.meets_ = 0;
-  for (std::uint32_t first = 0; first < SpherePack::size; first += 4) {
-    Four half_squared, power, along;
-    chords.find_lanes(pack, first, ray, inverse, half_squared, power, along);
-    const auto meets = (half_squared >= 0) & ~((power > 0) & (along <= 0));
-    chords.meets_ |= static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(meets))) << first;
-  }
+  chords.find_all<Four>(pack, ray, inverse);
 }
 
+// The compiler (g++ 12) makes a detour of comparisons of eight that are not written as masks.
 __attribute__((target("avx512f,avx512dq"))) void
 SpherePackChords::find_by_eight(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
   Eight half_squared, power, along;

@@ -37,6 +37,8 @@ public:
 
 private:
   template <class Lanes>
+  void find_all(const SpherePack& pack, const Ray& ray, double inverse);
+  template <class Lanes>
   void find_lanes(const SpherePack& pack, std::uint32_t first, const Ray& ray, double inverse, Lanes& half_squared,
                   Lanes& power, Lanes& along);
 

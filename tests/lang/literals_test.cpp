@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -75,4 +76,14 @@ TEST_CASE("utf8: the first wrong byte is found wherever it stands") {
   }
   CHECK_FALSE(find_invalid_utf8("größe 日本語 and more than eight bytes of it"));
   CHECK(find_invalid_utf8("12345678é\xc3") == 10);
+}
+
+TEST_CASE("literals: a sign belongs to the number behind it") {
+  CHECK(read_signed_number("-12.5,").length == 5);
+  CHECK(read_signed_number("-12.5,").value == -12.5);
+  CHECK(read_signed_number("7").value == 7);
+  CHECK(std::isinf(read_signed_number("-1e400 ").value));
+  CHECK(read_signed_number("-0]").length == 2);
+  CHECK(std::signbit(read_signed_number("-0]").value));
+  for (const char* none : {"", "-", "--1", "+1", ".5", "x", " 1"}) CHECK(read_signed_number(none).length == 0);
 }

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -45,18 +44,6 @@ TEST_CASE("wording: none where a number may be part of something else, or is not
   CHECK(pieces("a { b: -0 }", {0}).empty());
   CHECK(pieces("a { b: 1 }", {1, 1}).empty());
   CHECK(pieces("", {}).empty());
-}
-
-TEST_CASE("wording: numbers carry their sign, and end where they end") {
-  double value = 0;
-  CHECK(read_signed_number("x-12.5,", 1, value) == 6);
-  CHECK(value == -12.5);
-  CHECK(read_signed_number("7", 0, value) == 1);
-  CHECK(value == 7);
-  CHECK(read_signed_number("1e400 ", 0, value) == 0);
-  CHECK(read_signed_number("-0]", 0, value) == 2);
-  CHECK(std::signbit(value));
-  for (const char* none : {"", "-", "--1", "+1", ".5", "x", " 1"}) CHECK(read_signed_number(none, 0, value) == 0);
 }
 
 TEST_CASE("wording: an item ends at a comma or a line's end that nothing continues") {

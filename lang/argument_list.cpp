@@ -2,8 +2,9 @@
 
 #include "lang/properties.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 namespace {
@@ -14,18 +15,22 @@ bool is_of(const Value& value, const SignatureParameter& parameter) {
   case ValueKind::number:
     if (parameter.takes(ArgumentType::number)) return true;
     break;
-  case ValueKind::boolean: return parameter.takes(ArgumentType::boolean);
-  case ValueKind::string: return parameter.takes(ArgumentType::string);
+  case ValueKind::boolean:
+    return parameter.takes(ArgumentType::boolean);
+  case ValueKind::string:
+    return parameter.takes(ArgumentType::string);
   case ValueKind::vector:
     if (parameter.takes(ArgumentType::point) || parameter.takes(ArgumentType::list)) return true;
     return value.vector_size() == 3 && parameter.takes(ArgumentType::vector);
   case ValueKind::list:
-  case ValueKind::range: return parameter.takes(ArgumentType::list);
+  case ValueKind::range:
+    return parameter.takes(ArgumentType::list);
   case ValueKind::closure:
   case ValueKind::builtin:
     if (parameter.takes(ArgumentType::function)) return true;
     break;
-  default: break;
+  default:
+    break;
   }
   return parameter.takes(ArgumentType::color) && as_color(value).has_value();
 }
@@ -37,10 +42,14 @@ std::string with_articles(std::string_view types) {
     const std::size_t end = std::min(types.find(" or "), types.size());
     const std::string_view word = types.substr(0, end);
     text += text.empty() ? "a " : " or a ";
-    if (word == "vector") text += "vector of three numbers";
-    else if (word == "point") text += "vector";
-    else if (word == "color") text += "colour";
-    else text += word;
+    if (word == "vector")
+      text += "vector of three numbers";
+    else if (word == "point")
+      text += "vector";
+    else if (word == "color")
+      text += "colour";
+    else
+      text += word;
     types.remove_prefix(std::min(end + 4, types.size()));
   }
   return text;
@@ -77,12 +86,15 @@ bool ArgumentList::read(NodeId node, const Context& context) {
       const std::string_view word = evaluator_.name(ast.named(argument).symbol);
       i = static_cast<std::size_t>(std::ranges::find(signature_, word, &SignatureParameter::name) - signature_.begin());
       if (i == signature_.size()) {
-        evaluator_.fail("E0208", ast.named_span(argument, evaluator_.program_.symbols), fmt::format("`{}` has no parameter `{}`", name_, word));
+        evaluator_.fail("E0208", ast.named_span(argument, evaluator_.program_.symbols),
+                        fmt::format("`{}` has no parameter `{}`", name_, word));
         is_fine = false;
         continue;
       }
     } else if (++position > signature_.size() && !signature_.has_rest()) {
-      evaluator_.fail("E0208", ast.span(argument), fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())), "one too many");
+      evaluator_.fail("E0208", ast.span(argument),
+                      fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
+                      "one too many");
       return false;
     }
     is_fine &= put(i, std::move(value), ast.span(value_node));
@@ -92,7 +104,9 @@ bool ArgumentList::read(NodeId node, const Context& context) {
 
 bool ArgumentList::take(std::vector<Value> values) {
   if (values.size() > signature_.size() && !signature_.has_rest()) {
-    evaluator_.fail("E0208", place_, fmt::format("`{}` is called with {}, and takes at most {}", name_, count_of_arguments(values.size()), signature_.size()));
+    evaluator_.fail("E0208", place_,
+                    fmt::format("`{}` is called with {}, and takes at most {}", name_,
+                                count_of_arguments(values.size()), signature_.size()));
     return false;
   }
   bool is_fine = true;
@@ -115,13 +129,19 @@ bool ArgumentList::are_complete() {
 bool ArgumentList::check_type(std::size_t i) {
   const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
   if (is_of(arguments[i], parameter)) return true;
-  evaluator_.fail("E0309", place_of(i), fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text), parameter.name, describe(arguments[i])),
+  evaluator_.fail("E0309", place_of(i),
+                  fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
+                              parameter.name, describe(arguments[i])),
                   "this is " + describe(arguments[i]));
   return false;
 }
 
-Heap& ArgumentList::heap() { return evaluator_.heap_; }
-const SymbolTable& ArgumentList::symbols() { return evaluator_.program_.symbols; }
+Heap& ArgumentList::heap() {
+  return evaluator_.heap_;
+}
+const SymbolTable& ArgumentList::symbols() {
+  return evaluator_.program_.symbols;
+}
 
 Value ArgumentList::call(const Value& function, std::vector<Value> function_arguments) {
   return evaluator_.call_function(function, std::move(function_arguments), place_);
@@ -141,7 +161,9 @@ const Observer* ArgumentList::observer(std::optional<std::size_t> alone) {
   return evaluator_.observer_of(arguments[*alone], place_of(*alone));
 }
 
-const scene::Scene& ArgumentList::scene() { return evaluator_.scene_; }
+const scene::Scene& ArgumentList::scene() {
+  return evaluator_.scene_;
+}
 
 Value Evaluator::call_builtin(const Builtin& builtin, NodeId node, const Context& context) {
   ArgumentList arguments(*this, builtin.name, builtin.signature, context.ast().span(node));

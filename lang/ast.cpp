@@ -1,7 +1,6 @@
 #include "lang/ast.hpp"
 
 #include <algorithm>
-
 #include <bit>
 
 namespace rt::lang {
@@ -98,34 +97,56 @@ void Ast::become(const Repeat& repeat, std::uint32_t i) {
 
 std::string_view spelling(Claim claim) {
   switch (claim) {
-  case Claim::near: return "~";
-  case Claim::hits: return "hits";
-  case Claim::misses: return "misses";
-  case Claim::holds: break;
+  case Claim::near:
+    return "~";
+  case Claim::hits:
+    return "hits";
+  case Claim::misses:
+    return "misses";
+  case Claim::holds:
+    break;
   }
   return "";
 }
 
 std::string_view spelling(Op op) {
   switch (op) {
-  case Op::or_: return "or";
-  case Op::and_: return "and";
-  case Op::not_: return "not";
-  case Op::equal: return "==";
-  case Op::not_equal: return "!=";
-  case Op::less: return "<";
-  case Op::less_equal: return "<=";
-  case Op::greater: return ">";
-  case Op::greater_equal: return ">=";
-  case Op::add: return "+";
-  case Op::subtract: return "-";
-  case Op::unite: return "|";
-  case Op::multiply: return "*";
-  case Op::divide: return "/";
-  case Op::modulo: return "%";
-  case Op::intersect: return "&";
-  case Op::negate: return "-";
-  case Op::power: return "^";
+  case Op::or_:
+    return "or";
+  case Op::and_:
+    return "and";
+  case Op::not_:
+    return "not";
+  case Op::equal:
+    return "==";
+  case Op::not_equal:
+    return "!=";
+  case Op::less:
+    return "<";
+  case Op::less_equal:
+    return "<=";
+  case Op::greater:
+    return ">";
+  case Op::greater_equal:
+    return ">=";
+  case Op::add:
+    return "+";
+  case Op::subtract:
+    return "-";
+  case Op::unite:
+    return "|";
+  case Op::multiply:
+    return "*";
+  case Op::divide:
+    return "/";
+  case Op::modulo:
+    return "%";
+  case Op::intersect:
+    return "&";
+  case Op::negate:
+    return "-";
+  case Op::power:
+    return "^";
   }
   return "";
 }

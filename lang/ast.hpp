@@ -17,37 +17,37 @@ inline constexpr NodeId no_node{0xffffffff};
 /// What a node is. The words name the accessor of `Ast` that reads it.
 enum class Kind : std::uint8_t {
   // Items: what stands on a line of a block
-  error,     ///< where the syntax is wrong, already reported; `error_name` is the name it was to declare, if any
-  include,   ///< text: the path
-  use,       ///< use_item
-  param,     ///< param_item
-  def,       ///< function: a noun; body is a block
-  fn,        ///< function: a verb; body is a block or an expression
-  for_,      ///< for_item; body is a block
-  if_,       ///< if_node: as an item and as an expression; branches are blocks, `otherwise` may be an if_ again
-  bind,      ///< bind_item
-  property,  ///< named: `symbol: value`
-  expect,    ///< expect_item
+  error,    ///< where the syntax is wrong, already reported; `error_name` is the name it was to declare, if any
+  include,  ///< text: the path
+  use,      ///< use_item
+  param,    ///< param_item
+  def,      ///< function: a noun; body is a block
+  fn,       ///< function: a verb; body is a block or an expression
+  for_,     ///< for_item; body is a block
+  if_,      ///< if_node: as an item and as an expression; branches are blocks, `otherwise` may be an if_ again
+  bind,     ///< bind_item
+  property, ///< named: `symbol: value`
+  expect,   ///< expect_item
   // Expressions
-  number,    ///< number; a unit suffix is already converted to degrees, a sign before a literal is part of it
-  string,    ///< text, escapes resolved
-  color,     ///< color: #rrggbb as 0xrrggbb
-  boolean,   ///< boolean
+  number,  ///< number; a unit suffix is already converted to degrees, a sign before a literal is part of it
+  string,  ///< text, escapes resolved
+  color,   ///< color: #rrggbb as 0xrrggbb
+  boolean, ///< boolean
   none,
-  name,      ///< symbol, and what check resolved it to
-  previous,  ///< the thing placed last: what a line that begins with `.` edits (sessions only)
-  numbers,   ///< numbers: a list of nothing but number literals
-  list,      ///< children: any other list, also the empty one
-  record,    ///< children: properties
+  name,          ///< symbol, and what check resolved it to
+  previous,      ///< the thing placed last: what a line that begins with `.` edits (sessions only)
+  numbers,       ///< numbers: a list of nothing but number literals
+  list,          ///< children: any other list, also the empty one
+  record,        ///< children: properties
   comprehension, ///< comprehension
-  lambda,    ///< function, without a name; body is an expression
-  call,      ///< call
-  index,     ///< index
-  member,    ///< member: `base.symbol`
-  override_, ///< override_: `base { … }`
-  unary,     ///< op(), operand
-  binary,    ///< op(), left, right
-  range,     ///< range
+  lambda,        ///< function, without a name; body is an expression
+  call,          ///< call
+  index,         ///< index
+  member,        ///< member: `base.symbol`
+  override_,     ///< override_: `base { … }`
+  unary,         ///< op(), operand
+  binary,        ///< op(), left, right
+  range,         ///< range
   // Parts
   block,     ///< children: items
   parameter, ///< parameter: a name with or without a default
@@ -58,11 +58,24 @@ enum class Kind : std::uint8_t {
 };
 
 enum class Op : std::uint8_t {
-  or_, and_, not_,
-  equal, not_equal, less, less_equal, greater, greater_equal,
-  add, subtract, unite,          // + - |
-  multiply, divide, modulo, intersect, // * / % &
-  negate, power,
+  or_,
+  and_,
+  not_,
+  equal,
+  not_equal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  add,
+  subtract,
+  unite, // + - |
+  multiply,
+  divide,
+  modulo,
+  intersect, // * / % &
+  negate,
+  power,
 };
 
 /// What an `expect` claims.
@@ -78,8 +91,8 @@ enum class Claim : std::uint8_t {
 struct Node {
   Kind kind;
   Op op;
-  std::uint16_t extra;  ///< for check: the scope depth of a name, the slots of a block, the id of a property
-  std::uint32_t begin;  ///< byte offsets in the file, `end` exclusive
+  std::uint16_t extra; ///< for check: the scope depth of a name, the slots of a block, the id of a property
+  std::uint32_t begin; ///< byte offsets in the file, `end` exclusive
   std::uint32_t end;
   std::uint32_t a;
   std::uint32_t b;
@@ -91,48 +104,89 @@ inline constexpr std::uint32_t unresolved = 0xffffffff;
 using NodeList = std::span<const NodeId>;
 
 // What the accessors give; a part that is absent is `no_node`.
-struct UseItem { std::string_view path; NodeId name; };
-struct ParamItem { NodeId name, value, range; };
-struct Function { NodeId name; NodeList parameters; NodeId body; };
-struct ForItem { NodeId index_name, value_name, head, body; };
-struct IfNode { NodeId condition, then, otherwise; };
-struct BindItem { NodeId name, value; };
-struct ExpectItem { Claim claim; NodeId subject, other, parameter, tolerance; };
-struct Named { Symbol symbol; NodeId value; };
-struct Comprehension { NodeId element; NodeList clauses; }; // each a clause or a filter
-struct Call { NodeId callee; NodeList arguments; };         // each an argument or an expression
-struct Index { NodeId base, index; };
-struct Member { NodeId base; Symbol symbol; };
-struct Override { NodeId base, block; };
-struct Range { NodeId from, to, step; bool excludes_end; };
-struct Parameter { NodeId name, default_value; };
+struct UseItem {
+  std::string_view path;
+  NodeId name;
+};
+struct ParamItem {
+  NodeId name, value, range;
+};
+struct Function {
+  NodeId name;
+  NodeList parameters;
+  NodeId body;
+};
+struct ForItem {
+  NodeId index_name, value_name, head, body;
+};
+struct IfNode {
+  NodeId condition, then, otherwise;
+};
+struct BindItem {
+  NodeId name, value;
+};
+struct ExpectItem {
+  Claim claim;
+  NodeId subject, other, parameter, tolerance;
+};
+struct Named {
+  Symbol symbol;
+  NodeId value;
+};
+struct Comprehension {
+  NodeId element;
+  NodeList clauses;
+}; // each a clause or a filter
+struct Call {
+  NodeId callee;
+  NodeList arguments;
+}; // each an argument or an expression
+struct Index {
+  NodeId base, index;
+};
+struct Member {
+  NodeId base;
+  Symbol symbol;
+};
+struct Override {
+  NodeId base, block;
+};
+struct Range {
+  NodeId from, to, step;
+  bool excludes_end;
+};
+struct Parameter {
+  NodeId name, default_value;
+};
 
 /// Consecutive items of a block that have the wording of one item, the model, and differ in number and colour literals
-/// alone (a million placed spheres), with no declaration between the model and them. What check found out about the model
-/// holds for all of them. `Ast::become` turns the model into one of them; the model itself stands in no block: the first of
-/// its items is in its first repeat.
+/// alone (a million placed spheres), with no declaration between the model and them. What check found out about the
+/// model holds for all of them. `Ast::become` turns the model into one of them; the model itself stands in no block:
+/// the first of its items is in its first repeat.
 struct Repeat {
   NodeId model;
   NodeId model_first;         ///< the model's nodes are those from here to itself
   std::uint32_t first_number; ///< in `Ast::constants`
   std::uint32_t numbers_each;
-  std::uint32_t first_span;   ///< in `Ast::repeat_spans`
+  std::uint32_t first_span; ///< in `Ast::repeat_spans`
   std::uint32_t count;
-  bool is_first;              ///< of the repeats of this model
+  bool is_first; ///< of the repeats of this model
 };
 
-/// The syntax tree of one file: an arena of flat arrays. Children come before their parent, and the root (a block, or an
-/// expression from `parse_expression`) comes last.
+/// The syntax tree of one file: an arena of flat arrays. Children come before their parent, and the root (a block, or
+/// an expression from `parse_expression`) comes last.
 class Ast {
 public:
   FileId file = 0;
   NodeId root = no_node;
   std::vector<Node> nodes;
-  std::vector<NodeId> links;         ///< lists of children
-  std::vector<double> constants;     ///< of `numbers` and `repeat` nodes
+  std::vector<NodeId> links;     ///< lists of children
+  std::vector<double> constants; ///< of `numbers` and `repeat` nodes
   std::vector<std::string> strings;
   std::vector<Repeat> repeats;
-  struct Extent { std::uint32_t begin, end; };
+  struct Extent {
+    std::uint32_t begin, end;
+  };
   std::vector<Extent> repeat_spans;
 
   const Node& operator[](NodeId id) const { return nodes[static_cast<std::uint32_t>(id)]; }
@@ -180,8 +234,8 @@ public:
   Parameter parameter(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
 
   const Repeat& repeat(NodeId id) const { return repeats[(*this)[id].a]; }
-  /// Turns the model of a repeat into its i-th item: the number literals and the item's own span change, the spans inside
-  /// stay the model's. Idempotent, and any order will do.
+  /// Turns the model of a repeat into its i-th item: the number literals and the item's own span change, the spans
+  /// inside stay the model's. Idempotent, and any order will do.
   void become(const Repeat& repeat, std::uint32_t i);
   /// Where the model's own words stand.
   Span model_span(const Repeat& repeat) const;

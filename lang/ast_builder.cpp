@@ -8,32 +8,44 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::uint32_t raw(NodeId id) { return static_cast<std::uint32_t>(id); }
-constexpr std::uint32_t raw(Symbol symbol) { return static_cast<std::uint32_t>(symbol); }
+constexpr std::uint32_t raw(NodeId id) {
+  return static_cast<std::uint32_t>(id);
+}
+constexpr std::uint32_t raw(Symbol symbol) {
+  return static_cast<std::uint32_t>(symbol);
+}
 
 // Loosest first.
 enum Precedence : std::uint8_t { p_or = 1, p_and, p_not, p_comparison, p_range, p_sum, p_product, p_negation, p_power };
 
 std::uint8_t precedence_of(Op op) {
   switch (op) {
-  case Op::or_: return p_or;
-  case Op::and_: return p_and;
-  case Op::not_: return p_not;
+  case Op::or_:
+    return p_or;
+  case Op::and_:
+    return p_and;
+  case Op::not_:
+    return p_not;
   case Op::equal:
   case Op::not_equal:
   case Op::less:
   case Op::less_equal:
   case Op::greater:
-  case Op::greater_equal: return p_comparison;
+  case Op::greater_equal:
+    return p_comparison;
   case Op::add:
   case Op::subtract:
-  case Op::unite: return p_sum;
+  case Op::unite:
+    return p_sum;
   case Op::multiply:
   case Op::divide:
   case Op::modulo:
-  case Op::intersect: return p_product;
-  case Op::negate: return p_negation;
-  case Op::power: return p_power;
+  case Op::intersect:
+    return p_product;
+  case Op::negate:
+    return p_negation;
+  case Op::power:
+    return p_power;
   }
   return p_or;
 }

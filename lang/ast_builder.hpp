@@ -78,8 +78,8 @@ public:
   void close_loop(Kind kind, std::uint32_t end);        ///< for, clause: one or two names, head, body
   void close_function(Kind kind, std::uint32_t end);    ///< def, fn, lambda: name, parameters, body
   void close_counted(Kind kind, std::uint32_t end, std::uint32_t fixed); ///< links; b counts those after `fixed`
-  void close_text(Kind kind, std::uint32_t end);          ///< include, use: a string, then perhaps a name
-  void close_expect(Claim claim, std::uint32_t end);      ///< four parts
+  void close_text(Kind kind, std::uint32_t end);     ///< include, use: a string, then perhaps a name
+  void close_expect(Claim claim, std::uint32_t end); ///< four parts
   void close_filter(std::uint32_t end);
 
   // Suffixes of the last operand

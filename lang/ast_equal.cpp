@@ -37,27 +37,42 @@ struct Comparison {
   bool parts(NodeId a, NodeId b) const {
     switch (left.kind(a)) {
     case Kind::none:
-    case Kind::previous: return true;
-    case Kind::error: return names(left.error_name(a), right.error_name(b));
+    case Kind::previous:
+      return true;
+    case Kind::error:
+      return names(left.error_name(a), right.error_name(b));
     case Kind::include:
-    case Kind::string: return left.text(a) == right.text(b);
-    case Kind::use: return left.text(a) == right.text(b) && nodes(left.use_item(a).name, right.use_item(b).name);
-    case Kind::number: return numbers(left.number(a), right.number(b));
-    case Kind::color: return left.color(a) == right.color(b);
-    case Kind::boolean: return left.boolean(a) == right.boolean(b);
-    case Kind::name: return names(left.symbol(a), right.symbol(b));
-    case Kind::numbers: return number_lists(left.numbers(a), right.numbers(b));
+    case Kind::string:
+      return left.text(a) == right.text(b);
+    case Kind::use:
+      return left.text(a) == right.text(b) && nodes(left.use_item(a).name, right.use_item(b).name);
+    case Kind::number:
+      return numbers(left.number(a), right.number(b));
+    case Kind::color:
+      return left.color(a) == right.color(b);
+    case Kind::boolean:
+      return left.boolean(a) == right.boolean(b);
+    case Kind::name:
+      return names(left.symbol(a), right.symbol(b));
+    case Kind::numbers:
+      return number_lists(left.numbers(a), right.numbers(b));
     case Kind::block:
     case Kind::list:
-    case Kind::record: return lists(left.children(a), right.children(b));
-    case Kind::param: return same(left.param_item(a), right.param_item(b));
+    case Kind::record:
+      return lists(left.children(a), right.children(b));
+    case Kind::param:
+      return same(left.param_item(a), right.param_item(b));
     case Kind::def:
     case Kind::fn:
-    case Kind::lambda: return same(left.function(a), right.function(b));
+    case Kind::lambda:
+      return same(left.function(a), right.function(b));
     case Kind::for_:
-    case Kind::clause: return same(left.for_item(a), right.for_item(b));
-    case Kind::if_: return same(left.if_node(a), right.if_node(b));
-    case Kind::expect: return same(left.expect_item(a), right.expect_item(b));
+    case Kind::clause:
+      return same(left.for_item(a), right.for_item(b));
+    case Kind::if_:
+      return same(left.if_node(a), right.if_node(b));
+    case Kind::expect:
+      return same(left.expect_item(a), right.expect_item(b));
     case Kind::property:
     case Kind::argument:
       return names(left.named(a).symbol, right.named(b).symbol) && nodes(left.named(a).value, right.named(b).value);
@@ -69,15 +84,18 @@ struct Comparison {
     case Kind::member:
       return names(left.member(a).symbol, right.member(b).symbol) && nodes(left.member(a).base, right.member(b).base);
     case Kind::unary:
-    case Kind::filter: return left.op(a) == right.op(b) && nodes(left.operand(a), right.operand(b));
-    case Kind::range: return same(left.range(a), right.range(b));
+    case Kind::filter:
+      return left.op(a) == right.op(b) && nodes(left.operand(a), right.operand(b));
+    case Kind::range:
+      return same(left.range(a), right.range(b));
     case Kind::bind:
     case Kind::index:
     case Kind::override_:
     case Kind::parameter:
     case Kind::binary: // two children each
       return left.op(a) == right.op(b) && nodes(left.left(a), right.left(b)) && nodes(left.right(a), right.right(b));
-    case Kind::repeat: return left.repeat(a).count == right.repeat(b).count;
+    case Kind::repeat:
+      return left.repeat(a).count == right.repeat(b).count;
     }
     return false;
   }
@@ -86,8 +104,8 @@ struct Comparison {
     return nodes(a.name, b.name) && nodes(a.value, b.value) && nodes(a.range, b.range);
   }
   bool same(const ExpectItem& a, const ExpectItem& b) const {
-    return a.claim == b.claim && nodes(a.subject, b.subject) && nodes(a.other, b.other) && nodes(a.parameter, b.parameter) &&
-           nodes(a.tolerance, b.tolerance);
+    return a.claim == b.claim && nodes(a.subject, b.subject) && nodes(a.other, b.other) &&
+           nodes(a.parameter, b.parameter) && nodes(a.tolerance, b.tolerance);
   }
   bool same(const Function& a, const Function& b) const {
     return nodes(a.name, b.name) && lists(a.parameters, b.parameters) && nodes(a.body, b.body);

@@ -22,8 +22,8 @@ struct Dress {
   bool casts_shadow = true;
 };
 
-/// Puts values into the scene description: materials, patterns, names and turns once each, shapes into their tables. All
-/// values must have passed `check_value`.
+/// Puts values into the scene description: materials, patterns, names and turns once each, shapes into their tables.
+/// All values must have passed `check_value`.
 class Builder {
 public:
   Builder(const SourceMap& sources, scene::Scene& scene);
@@ -60,7 +60,7 @@ private:
   std::unordered_map<Color, scene::MaterialId, ColorHash> plain_; // materials that are a colour and nothing else
   std::unordered_multimap<std::uint64_t, scene::TurnId> turns_;
   std::unordered_map<std::string, scene::NameId> names_;
-  std::unordered_map<std::uint32_t, scene::ShapeRef> united_;          // by index of the group
+  std::unordered_map<std::uint32_t, scene::ShapeRef> united_;           // by index of the group
   std::unordered_map<std::uint64_t, std::string_view> open_composites_; // by kind and index
   Span last_line_; // where `origin` looked last: most things stand in order
   std::uint32_t last_line_number_ = 1;

@@ -3,32 +3,45 @@
 #include "lang/suggest.hpp"
 #include "lang/thing.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 
 Known Checker::check_expression(Unit& unit, NodeId node) {
   Ast& ast = unit.ast;
   switch (ast.kind(node)) {
-  case Kind::name: return resolve(unit, node);
+  case Kind::name:
+    return resolve(unit, node);
   case Kind::list:
     for (const NodeId child : ast.children(node)) check_expression(unit, child);
     return {};
-  case Kind::record: check_record(unit, node); return {};
-  case Kind::comprehension: check_comprehension(unit, node); return {};
-  case Kind::lambda: return check_lambda(unit, node);
-  case Kind::call: return check_call(unit, node);
+  case Kind::record:
+    check_record(unit, node);
+    return {};
+  case Kind::comprehension:
+    check_comprehension(unit, node);
+    return {};
+  case Kind::lambda:
+    return check_lambda(unit, node);
+  case Kind::call:
+    return check_call(unit, node);
   case Kind::index: {
     const Index index = ast.index(node);
     check_expression(unit, index.base);
     check_expression(unit, index.index);
     return {};
   }
-  case Kind::member: return check_member(unit, node, false);
-  case Kind::override_: return check_override(unit, node);
-  case Kind::unary: check_expression(unit, ast.operand(node)); return {};
-  case Kind::binary: return check_binary(unit, node);
+  case Kind::member:
+    return check_member(unit, node, false);
+  case Kind::override_:
+    return check_override(unit, node);
+  case Kind::unary:
+    check_expression(unit, ast.operand(node));
+    return {};
+  case Kind::binary:
+    return check_binary(unit, node);
   case Kind::range: {
     const Range range = ast.range(node);
     check_expression(unit, range.from);
@@ -36,9 +49,13 @@ Known Checker::check_expression(Unit& unit, NodeId node) {
     if (range.step != no_node) check_expression(unit, range.step);
     return {};
   }
-  case Kind::if_: return check_if_value(unit, node);
-  case Kind::block: check_value_block(unit, node, "this block"); return {};
-  default: return {};
+  case Kind::if_:
+    return check_if_value(unit, node);
+  case Kind::block:
+    check_value_block(unit, node, "this block");
+    return {};
+  default:
+    return {};
   }
 }
 
@@ -51,7 +68,9 @@ Known Checker::check_binary(Unit& unit, NodeId node) {
   const Op op = unit.ast.op(node);
   if (op != Op::unite && op != Op::intersect && op != Op::subtract) return known;
   known.what = Known::What::thing;
-  known.noun = &program_.nouns.combination(op == Op::unite ? Operation::unite : op == Op::intersect ? Operation::intersect : Operation::subtract);
+  known.noun = &program_.nouns.combination(op == Op::unite       ? Operation::unite
+                                           : op == Op::intersect ? Operation::intersect
+                                                                 : Operation::subtract);
   return known;
 }
 
@@ -59,8 +78,10 @@ Known Checker::check_if_value(Unit& unit, NodeId node) {
   const IfNode branch = unit.ast.if_node(node);
   check_expression(unit, branch.condition);
   const auto check_branch = [&](NodeId body) {
-    if (unit.ast.kind(body) == Kind::block) check_value_block(unit, body, "a branch of an `if` that is a value");
-    else check_expression(unit, body);
+    if (unit.ast.kind(body) == Kind::block)
+      check_value_block(unit, body, "a branch of an `if` that is a value");
+    else
+      check_expression(unit, body);
   };
   check_branch(branch.then);
   if (branch.otherwise != no_node) {
@@ -87,14 +108,20 @@ void Checker::check_value_block(Unit& unit, NodeId block, std::string_view what)
     const NodeId item = items[i];
     const Kind kind = unit.ast.kind(item);
     const bool is_last = i + 1 == items.size();
-    const bool is_declaration = kind == Kind::bind || kind == Kind::def || kind == Kind::fn || kind == Kind::error || kind == Kind::use || kind == Kind::include;
+    const bool is_declaration = kind == Kind::bind || kind == Kind::def || kind == Kind::fn || kind == Kind::error ||
+                                kind == Kind::use || kind == Kind::include;
     const bool is_statement = kind == Kind::property || kind == Kind::for_ || kind == Kind::param;
-    if (is_declaration || is_statement || kind == Kind::expect) check_item(unit, item);
-    else check_expression(unit, item);
+    if (is_declaration || is_statement || kind == Kind::expect)
+      check_item(unit, item);
+    else
+      check_expression(unit, item);
     if (kind == Kind::error || kind == Kind::expect) continue;
-    if (is_statement) complain(unit.ast.span(item), "this is not a value");
-    else if (!is_last && !is_declaration) complain(unit.ast.span(item), "only the last line gives the value");
-    else if (is_last && is_declaration) complain(unit.ast.span(item), "the value is missing after this");
+    if (is_statement)
+      complain(unit.ast.span(item), "this is not a value");
+    else if (!is_last && !is_declaration)
+      complain(unit.ast.span(item), "only the last line gives the value");
+    else if (is_last && is_declaration)
+      complain(unit.ast.span(item), "the value is missing after this");
   }
   if (items.empty()) complain(unit.ast.span(block), "there is no value in it");
   close_scope();
@@ -158,16 +185,24 @@ Known Checker::check_call(Unit& unit, NodeId node) {
   const Call call = ast.call(node);
   const Known callee = check_callee(unit, call.callee);
   for (const NodeId argument : call.arguments) {
-    if (ast.kind(argument) == Kind::argument) check_expression(unit, ast.named(argument).value);
-    else check_expression(unit, argument);
+    if (ast.kind(argument) == Kind::argument)
+      check_expression(unit, ast.named(argument).value);
+    else
+      check_expression(unit, argument);
   }
-  if (callee.what == Known::What::function && callee.function) check_function_call(unit, node, *callee.function);
-  else if (callee.what == Known::What::builtin) check_signature_call(unit, node, callee.builtin->name, callee.builtin->signature);
-  else if (callee.is_thing() && callee.is_bare_noun) check_thing_call(unit, node, callee);
+  if (callee.what == Known::What::function && callee.function)
+    check_function_call(unit, node, *callee.function);
+  else if (callee.what == Known::What::builtin)
+    check_signature_call(unit, node, callee.builtin->name, callee.builtin->signature);
+  else if (callee.is_thing() && callee.is_bare_noun)
+    check_thing_call(unit, node, callee);
   if (report_.wants_remarks()) {
-    const ChainMethod* method = ast.kind(call.callee) == Kind::member ? find_chain_method(name(ast.member(call.callee).symbol)) : nullptr;
-    if (method && callee.what != Known::What::function) check_angle_arguments(unit, node, method->signature, method->name == "rotate");
-    else if (callee.what == Known::What::builtin) check_angle_arguments(unit, node, callee.builtin->signature, false);
+    const ChainMethod* method =
+        ast.kind(call.callee) == Kind::member ? find_chain_method(name(ast.member(call.callee).symbol)) : nullptr;
+    if (method && callee.what != Known::What::function)
+      check_angle_arguments(unit, node, method->signature, method->name == "rotate");
+    else if (callee.what == Known::What::builtin)
+      check_angle_arguments(unit, node, callee.builtin->signature, false);
   }
   // A chain method gives the thing it was called on, with one step more.
   if (ast.kind(call.callee) == Kind::member && callee.is_thing()) return callee;
@@ -186,20 +221,24 @@ void Checker::check_thing_call(Unit& unit, NodeId node, const Known& callee) {
     if (unit.ast.kind(argument) == Kind::argument) {
       properties += program_.sources.text(unit.ast.span(argument));
     } else if (callee.function && i < callee.function->parameters.size()) {
-      properties += fmt::format("{}: {}", name(callee.function->parameters[i].name), program_.sources.text(unit.ast.span(argument)));
+      properties += fmt::format("{}: {}", name(callee.function->parameters[i].name),
+                                program_.sources.text(unit.ast.span(argument)));
     } else if (!callee.function && i < callee.noun->properties.size()) {
-      properties += fmt::format("{}: {}", callee.noun->properties[i].name, program_.sources.text(unit.ast.span(argument)));
+      properties +=
+          fmt::format("{}: {}", callee.noun->properties[i].name, program_.sources.text(unit.ast.span(argument)));
     }
   }
   d->message = fmt::format("`{}` is a thing, and things take braces", noun);
-  d->label = properties.empty() ? fmt::format("write `{} {{}}`", noun) : fmt::format("write `{} {{ {} }}`", noun, properties);
+  d->label =
+      properties.empty() ? fmt::format("write `{} {{}}`", noun) : fmt::format("write `{} {{ {} }}`", noun, properties);
 }
 
 void Checker::check_function_call(Unit& unit, NodeId node, const FunctionInfo& function) {
   const std::string what = function.name == no_symbol ? "this function" : fmt::format("`{}`", name(function.name));
   const auto parameters = [&] {
     std::string text;
-    for (const FunctionInfo::Parameter& p : function.parameters) text += fmt::format("{}{}", text.empty() ? "" : ", ", name(p.name));
+    for (const FunctionInfo::Parameter& p : function.parameters)
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", name(p.name));
     return text;
   };
   const auto complain = [&](Span span, std::string message, std::string label) {
@@ -214,7 +253,9 @@ void Checker::check_function_call(Unit& unit, NodeId node, const FunctionInfo& f
   for (const NodeId argument : unit.ast.call(node).arguments) {
     if (unit.ast.kind(argument) != Kind::argument) {
       if (positional >= function.parameters.size())
-        return complain(unit.ast.span(argument), fmt::format("{} takes {}", what, count_of_arguments(function.parameters.size())), "one too many");
+        return complain(unit.ast.span(argument),
+                        fmt::format("{} takes {}", what, count_of_arguments(function.parameters.size())),
+                        "one too many");
       is_given[positional++] = true;
       continue;
     }
@@ -225,14 +266,16 @@ void Checker::check_function_call(Unit& unit, NodeId node, const FunctionInfo& f
       std::vector<std::string_view> names;
       for (const FunctionInfo::Parameter& p : function.parameters) names.push_back(name(p.name));
       const auto guess = nearest(name(symbol), names);
-      return complain(span, fmt::format("{} has no parameter `{}`", what, name(symbol)), guess ? fmt::format("did you mean `{}`?", *guess) : "");
+      return complain(span, fmt::format("{} has no parameter `{}`", what, name(symbol)),
+                      guess ? fmt::format("did you mean `{}`?", *guess) : "");
     }
     if (is_given[*i]) return complain(span, fmt::format("`{}` is given twice", name(symbol)), "");
     is_given[*i] = true;
   }
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     if (!is_given[i] && function.parameters[i].default_value == no_node)
-      return complain(unit.ast.span(node), fmt::format("{} needs a value for `{}`", what, name(function.parameters[i].name)), "");
+      return complain(unit.ast.span(node),
+                      fmt::format("{} needs a value for `{}`", what, name(function.parameters[i].name)), "");
   }
 }
 
@@ -249,7 +292,9 @@ void Checker::check_signature_call(Unit& unit, NodeId node, std::string_view fun
   for (const NodeId argument : unit.ast.call(node).arguments) {
     if (unit.ast.kind(argument) != Kind::argument) {
       if (positional >= signature.size() && !signature.has_rest())
-        return complain(unit.ast.span(argument), fmt::format("`{}` takes at most {}", function, count_of_arguments(signature.size())), "one too many");
+        return complain(unit.ast.span(argument),
+                        fmt::format("`{}` takes at most {}", function, count_of_arguments(signature.size())),
+                        "one too many");
       is_given[std::min(positional++, signature.size() - 1)] = true;
       continue;
     }
@@ -260,7 +305,8 @@ void Checker::check_signature_call(Unit& unit, NodeId node, std::string_view fun
       std::vector<std::string_view> names;
       for (const SignatureParameter& p : signature) names.push_back(p.name);
       const auto guess = nearest(word, names);
-      return complain(span, fmt::format("`{}` has no parameter `{}`", function, word), guess ? fmt::format("did you mean `{}`?", *guess) : "");
+      return complain(span, fmt::format("`{}` has no parameter `{}`", function, word),
+                      guess ? fmt::format("did you mean `{}`?", *guess) : "");
     }
     const auto i = static_cast<std::size_t>(found - signature.begin());
     if (is_given[i]) return complain(span, fmt::format("`{}` is given twice", word), "");
@@ -295,7 +341,8 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
     known.function = found->function;
     known.noun = found->noun;
     known.what = found->noun || found->function->kind == Kind::def ? Known::What::thing : Known::What::function;
-    if (found->function && found->function->kind == Kind::def) known.noun = &program_.nouns.group(), known.is_bare_noun = true;
+    if (found->function && found->function->kind == Kind::def)
+      known.noun = &program_.nouns.group(), known.is_bare_noun = true;
     return known;
   }
   if (!base.is_thing() || !is_called) return known;
@@ -326,8 +373,10 @@ Known Checker::check_override(Unit& unit, NodeId node) {
     owner.is_unknown = true;
   } else if (Diagnostic* d = report_.error("E0210", unit.ast.span(parts.base))) {
     const std::string_view word = program_.sources.text(unit.ast.span(parts.base));
-    d->message = base.what == Known::What::module ? fmt::format("`{}` is a file, not a thing", word) : fmt::format("`{}` is a function, not a thing", word);
-    d->label = base.what == Known::What::module ? "write the name of a thing in it, after a dot" : "a function takes its arguments in ( )";
+    d->message = base.what == Known::What::module ? fmt::format("`{}` is a file, not a thing", word)
+                                                  : fmt::format("`{}` is a function, not a thing", word);
+    d->label = base.what == Known::What::module ? "write the name of a thing in it, after a dot"
+                                                : "a function takes its arguments in ( )";
     owner.is_unknown = true;
   }
   const bool is_block = unit.ast.kind(parts.block) == Kind::block;
@@ -405,7 +454,8 @@ bool Checker::has_closure(const Unit& unit, NodeId node) const {
   for (auto i = static_cast<std::uint32_t>(node); i-- > 0;) {
     const Node& inner = ast.nodes[i];
     if (inner.begin < begin) return false;
-    if (inner.kind == Kind::lambda || inner.kind == Kind::def || inner.kind == Kind::fn || inner.kind == Kind::include || inner.kind == Kind::expect)
+    if (inner.kind == Kind::lambda || inner.kind == Kind::def || inner.kind == Kind::fn ||
+        inner.kind == Kind::include || inner.kind == Kind::expect)
       return true;
   }
   return false;

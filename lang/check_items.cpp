@@ -1,7 +1,8 @@
 #include "lang/checker.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 
@@ -79,7 +80,8 @@ void Checker::check_module(ModuleInfo& module) {
     Binding& binding = bindings_[i];
     ++binding.reads; // whoever uses the module may read it
     if (binding.what == Binding::What::error) continue;
-    const FunctionInfo* function = binding.what == Binding::What::function ? &program_.functions[binding.slot] : nullptr;
+    const FunctionInfo* function =
+        binding.what == Binding::What::function ? &program_.functions[binding.slot] : nullptr;
     module.exports.push_back({binding.name, binding.slot, function, binding.known.noun});
   }
   close_scope();
@@ -94,8 +96,10 @@ void Checker::hoist(Unit& unit, NodeId block) {
 
 void Checker::hoist_item(Unit& unit, NodeId item) {
   const Kind kind = unit.ast.kind(item);
-  if (kind == Kind::def || kind == Kind::fn) hoist_function(unit, item);
-  else if (kind == Kind::include) check_include(unit, item);
+  if (kind == Kind::def || kind == Kind::fn)
+    hoist_function(unit, item);
+  else if (kind == Kind::include)
+    check_include(unit, item);
 }
 
 void Checker::hoist_function(Unit& unit, NodeId item) {
@@ -117,7 +121,8 @@ void Checker::hoist_function(Unit& unit, NodeId item) {
   set_function_index(unit.ast[item], index);
   Binding* binding = declare(unit, function.name, Binding::What::function);
   binding->slot = index;
-  binding->use = info.use = declare_use(unit, function.name, info.kind == Kind::def ? NameUses::What::def : NameUses::What::fn);
+  binding->use = info.use =
+      declare_use(unit, function.name, info.kind == Kind::def ? NameUses::What::def : NameUses::What::fn);
   binding->known.function = &info;
   if (info.kind == Kind::fn) {
     binding->known.what = Known::What::function;
@@ -144,24 +149,35 @@ void Checker::check_item(Unit& unit, NodeId item) {
   Ast& ast = unit.ast;
   switch (ast.kind(item)) {
   case Kind::error:
-    if (const Symbol symbol = ast.error_name(item); symbol != no_symbol) declare(symbol, ast.span(item), Binding::What::error);
+    if (const Symbol symbol = ast.error_name(item); symbol != no_symbol)
+      declare(symbol, ast.span(item), Binding::What::error);
     return;
   case Kind::include:
     if (Unit* included = unit.included(item)) {
       for (const NodeId inner : included->ast.children(included->ast.root)) check_item(*included, inner);
     }
     return;
-  case Kind::use: return check_use(unit, item);
-  case Kind::param: return check_param(unit, item);
+  case Kind::use:
+    return check_use(unit, item);
+  case Kind::param:
+    return check_param(unit, item);
   case Kind::def:
-  case Kind::fn: return check_function_body(unit, item);
-  case Kind::for_: return check_for(unit, item);
-  case Kind::if_: return check_if_item(unit, item);
-  case Kind::bind: return check_bind(unit, item);
-  case Kind::property: return check_property(unit, item);
-  case Kind::expect: return check_expect(unit, item);
-  case Kind::repeat: return check_repeat(unit, ast.repeat(item));
-  default: check_expression(unit, item);
+  case Kind::fn:
+    return check_function_body(unit, item);
+  case Kind::for_:
+    return check_for(unit, item);
+  case Kind::if_:
+    return check_if_item(unit, item);
+  case Kind::bind:
+    return check_bind(unit, item);
+  case Kind::property:
+    return check_property(unit, item);
+  case Kind::expect:
+    return check_expect(unit, item);
+  case Kind::repeat:
+    return check_repeat(unit, ast.repeat(item));
+  default:
+    check_expression(unit, item);
   }
 }
 
@@ -280,8 +296,8 @@ void Checker::check_bind(Unit& unit, NodeId item) {
   known.is_bare_noun = false;
   binding->known = known;
   const Owner& owner = scopes_.back().owner;
-  binding->may_be_property =
-      (owner.noun && owner.noun->find(binding->name)) || (owner.def && !owner.is_def_body && owner.def->find(binding->name));
+  binding->may_be_property = (owner.noun && owner.noun->find(binding->name)) ||
+                             (owner.def && !owner.is_def_body && owner.def->find(binding->name));
 }
 
 void Checker::check_function_body(Unit& unit, NodeId node) {
@@ -380,8 +396,10 @@ void Checker::check_if_item(Unit& unit, NodeId item) {
   check_expression(unit, branch.condition);
   if (unit.ast.kind(branch.then) == Kind::block) check_block(unit, branch.then, owner);
   if (branch.otherwise == no_node) return;
-  if (unit.ast.kind(branch.otherwise) == Kind::if_) check_if_item(unit, branch.otherwise);
-  else if (unit.ast.kind(branch.otherwise) == Kind::block) check_block(unit, branch.otherwise, owner);
+  if (unit.ast.kind(branch.otherwise) == Kind::if_)
+    check_if_item(unit, branch.otherwise);
+  else if (unit.ast.kind(branch.otherwise) == Kind::block)
+    check_block(unit, branch.otherwise, owner);
 }
 
 } // namespace rt::lang

@@ -2,8 +2,9 @@
 #include "lang/dialects.hpp"
 #include "lang/suggest.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 
@@ -49,7 +50,8 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
   const std::string_view value = program_.sources.text(unit.ast.span(property.value));
   const bool is_scene = owner.noun == &program_.nouns.scene();
   const bool is_def = owner.def != nullptr;
-  const std::string whose = is_scene ? "the scene" : fmt::format("`{}`", is_def ? name(owner.def->name) : owner.noun->name);
+  const std::string whose =
+      is_scene ? "the scene" : fmt::format("`{}`", is_def ? name(owner.def->name) : owner.noun->name);
   Diagnostic* d = report_.error("E0204", span);
   if (!d) return;
   d->message = fmt::format("{} has no property `{}`", whose, word);
@@ -61,10 +63,12 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
     return;
   }
   if ((word == "color" || word == "colour") && owner.noun->is_shape()) {
-    d->label = is_short ? fmt::format("a colour is a material: write `material: {}`", value) : "a colour is a material: write `material: …`";
+    d->label = is_short ? fmt::format("a colour is a material: write `material: {}`", value)
+                        : "a colour is a material: write `material: …`";
     return;
   }
-  const bool is_material_property = owner.noun->is_shape() && program_.nouns.material().find(property.symbol).has_value();
+  const bool is_material_property =
+      owner.noun->is_shape() && program_.nouns.material().find(property.symbol).has_value();
   if (is_material_property) {
     d->label = is_short ? fmt::format("it belongs to the material: `material: material {{ {}: {} }}`", word, value)
                         : fmt::format("it belongs to the material: `material: material {{ {}: … }}`", word);
@@ -77,10 +81,15 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
   for (const Property& p : owner.noun->properties) names.push_back(p.name);
   const auto guess = nearest(word, names);
   const std::string other = dialect_property(word, owner.noun);
-  if (!other.empty()) d->label = other;
-  else if (guess) d->label = fmt::format("did you mean `{}`?", *guess);
-  if (is_scene) d->notes.push_back({std::nullopt, fmt::format("the scene takes {}", list_properties(owner))});
-  else d->notes.push_back({std::nullopt, fmt::format("`{}` takes {}", is_def ? name(owner.def->name) : owner.noun->name, list_properties(owner))});
+  if (!other.empty())
+    d->label = other;
+  else if (guess)
+    d->label = fmt::format("did you mean `{}`?", *guess);
+  if (is_scene)
+    d->notes.push_back({std::nullopt, fmt::format("the scene takes {}", list_properties(owner))});
+  else
+    d->notes.push_back({std::nullopt, fmt::format("`{}` takes {}", is_def ? name(owner.def->name) : owner.noun->name,
+                                                  list_properties(owner))});
 }
 
 // Of the properties that stand in the block itself; what `if` and `for` put into it is seen when the program runs.

@@ -29,7 +29,8 @@ void Checker::report_masked_property(const Binding& binding, const Owner& owner)
   Diagnostic* d = report_.error("E0207", binding.span);
   if (!d) return;
   const bool is_scene = owner.noun == &program_.nouns.scene();
-  const std::string whose = is_scene ? "the scene" : fmt::format("`{}`", owner.def ? name(owner.def->name) : owner.noun->name);
+  const std::string whose =
+      is_scene ? "the scene" : fmt::format("`{}`", owner.def ? name(owner.def->name) : owner.noun->name);
   d->message = fmt::format("`{}` is a name here, and nothing reads it", name(binding.name));
   d->label = fmt::format("to set the property of {}, write `{}: …`", whose, name(binding.name));
 }
@@ -50,7 +51,8 @@ Checker::Binding* Checker::declare(Symbol symbol, Span span, Binding::What what)
   const auto i = static_cast<std::size_t>(symbol);
   if (i >= innermost_.size()) innermost_.resize(std::max(i + 1, program_.symbols.size()), none);
   const auto scope = static_cast<std::uint32_t>(scopes_.size());
-  if (const Binding* first = find(symbol); first && first->scope == scope && what != Binding::What::error && first->what != Binding::What::error) {
+  if (const Binding* first = find(symbol);
+      first && first->scope == scope && what != Binding::What::error && first->what != Binding::What::error) {
     // Functions and nouns are known before the lines of their block are read, so the first may stand behind.
     const bool is_before = first->span.file == span.file && span.begin < first->span.begin;
     const Span one = is_before ? span : first->span;
@@ -91,10 +93,16 @@ Known Checker::resolve(Unit& unit, NodeId node) {
   reads_part_ = false;
   const std::size_t depth = level() - binding->level;
   switch (binding->what) {
-  case Binding::What::error: unit.ast.set_slot(node, 0, pack(Resolution::none, 0)); break;
-  case Binding::What::function: unit.ast.set_slot(node, binding->slot, pack(Resolution::function, depth)); break;
+  case Binding::What::error:
+    unit.ast.set_slot(node, 0, pack(Resolution::none, 0));
+    break;
+  case Binding::What::function:
+    unit.ast.set_slot(node, binding->slot, pack(Resolution::function, depth));
+    break;
   case Binding::What::value:
-  case Binding::What::module: unit.ast.set_slot(node, binding->slot, pack(Resolution::local, depth)); break;
+  case Binding::What::module:
+    unit.ast.set_slot(node, binding->slot, pack(Resolution::local, depth));
+    break;
   }
   return binding->known;
 }
@@ -142,9 +150,12 @@ std::optional<Span> bound_in(const Ast& ast, NodeId block, Symbol symbol) {
   if (block == no_node || ast.kind(block) != Kind::block) return std::nullopt;
   for (const NodeId item : ast.children(block)) {
     NodeId bound = no_node;
-    if (ast.kind(item) == Kind::bind) bound = ast.bind_item(item).name;
-    else if (ast.kind(item) == Kind::param) bound = ast.param_item(item).name;
-    else if (ast.kind(item) == Kind::use) bound = ast.use_item(item).name;
+    if (ast.kind(item) == Kind::bind)
+      bound = ast.bind_item(item).name;
+    else if (ast.kind(item) == Kind::param)
+      bound = ast.param_item(item).name;
+    else if (ast.kind(item) == Kind::use)
+      bound = ast.use_item(item).name;
     if (bound != no_node && ast.symbol(bound) == symbol) return ast.span(bound);
   }
   return std::nullopt;
@@ -179,7 +190,10 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
   };
   if (symbol == being_bound_)
     return tell("E0203", fmt::format("`{}` has no value yet: its own line gives it one", word), "not known here",
-                is_in_lambda_ ? std::optional(Note{std::nullopt, fmt::format("a function that calls itself is written `fn {}(…) = …`", word)}) : std::nullopt);
+                is_in_lambda_
+                    ? std::optional(Note{std::nullopt,
+                                         fmt::format("a function that calls itself is written `fn {}(…) = …`", word)})
+                    : std::nullopt);
   for (std::size_t i = scopes_.size(); i-- > 0;) {
     const Scope& scope = scopes_[i];
     if (scope.unit != &unit) continue;
@@ -189,21 +203,30 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
   }
   for (std::size_t i = scopes_.size(); i-- > 0;) {
     const Owner& owner = scopes_[i].owner;
-    const bool is_property = (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.noun && owner.noun->find(symbol));
+    const bool is_property =
+        (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.noun && owner.noun->find(symbol));
     if (is_property && !find_css_color(word))
-      return tell("E0214", fmt::format("`{}` is a property here, not a name", word), "a property is not a value to compute with",
-                  Note{std::nullopt, fmt::format("bind a name before the block, `r = …`, and write it in both places: `{}: r`", word)});
+      return tell(
+          "E0214", fmt::format("`{}` is a property here, not a name", word),
+          "a property is not a value to compute with",
+          Note{std::nullopt,
+               fmt::format("bind a name before the block, `r = …`, and write it in both places: `{}: r`", word)});
   }
   if (const auto inner = bound_in_closed_block(unit.ast, span.begin, symbol))
-    return tell("E0215", fmt::format("`{}` is bound inside a block, and known only there", word), "not known here",
-                Note{*inner, fmt::format("bound here; for a name that depends on a condition, write `{} = if … {{ … }} else {{ … }}`", word)});
+    return tell(
+        "E0215", fmt::format("`{}` is bound inside a block, and known only there", word), "not known here",
+        Note{*inner,
+             fmt::format("bound here; for a name that depends on a condition, write `{} = if … {{ … }} else {{ … }}`",
+                         word)});
   if (const std::string other = dialect_name(word); !other.empty())
     return tell("E0201", fmt::format("there is no `{}` in this language", word), other);
   if (is_define_)
-    return tell("E0201", fmt::format("unknown name `{}`", word), fmt::format("a string stands in quotes: '\"{}\"'", word));
+    return tell("E0201", fmt::format("unknown name `{}`", word),
+                fmt::format("a string stands in quotes: '\"{}\"'", word));
   const std::vector<std::string_view> names = visible_names();
   const auto guess = nearest(word, names);
-  tell("E0201", fmt::format("unknown name `{}`", word), guess ? fmt::format("did you mean `{}`?", *guess) : "not known here");
+  tell("E0201", fmt::format("unknown name `{}`", word),
+       guess ? fmt::format("did you mean `{}`?", *guess) : "not known here");
 }
 
 } // namespace rt::lang

@@ -60,8 +60,10 @@ void Checker::take_names(TopItem& item, std::size_t first) {
 }
 
 void Checker::note_use(Symbol symbol, const Binding* binding) {
-  if (!binding || binding->scope < top_scope_ + 1) top_item_->globals.push_back(symbol);
-  else if (binding->scope == top_scope_ + 1) top_item_->uses.push_back(symbol);
+  if (!binding || binding->scope < top_scope_ + 1)
+    top_item_->globals.push_back(symbol);
+  else if (binding->scope == top_scope_ + 1)
+    top_item_->uses.push_back(symbol);
 }
 
 } // namespace rt::lang

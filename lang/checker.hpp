@@ -48,7 +48,7 @@ struct TopName {
 
 /// A statement of a session as check sees it: to be checked, or checked before.
 struct TopItem {
-  Unit* unit = nullptr; ///< null: it was checked before, and only its names matter
+  Unit* unit = nullptr;        ///< null: it was checked before, and only its names matter
   std::vector<NodeId> nodes;   ///< its items: one, or things that were written one after the other
   std::vector<TopName> names;  ///< that it declares: given, or found
   std::vector<Symbol> uses;    ///< found: names of other statements, also of its own functions
@@ -64,9 +64,9 @@ public:
   void check_define(Define& define);
   void check_main();
   void check_module(ModuleInfo& module);
-  /// The statements of a session, in order. `slots` says how many of the session's frame are taken already, and then how
-  /// many are.
-  /// Names of statements that are not among them are known all the same, as far as suggestions go: `add_further_names`.
+  /// The statements of a session, in order. `slots` says how many of the session's frame are taken already, and then
+  /// how many are. Names of statements that are not among them are known all the same, as far as suggestions go:
+  /// `add_further_names`.
   using AddNames = std::function<void(std::vector<std::string_view>&)>;
   void check_session(std::span<TopItem> items, std::uint32_t& slots, const AddNames& add_further_names);
 
@@ -89,7 +89,7 @@ private:
     Known known;
     std::uint32_t use = NameUses::none; ///< its number there, for the lint
     int pi_power = 0;                   ///< of its value, for the lint
-    bool may_be_property = false; ///< bound with `=` in a block whose thing has a property of that name
+    bool may_be_property = false;       ///< bound with `=` in a block whose thing has a property of that name
   };
   struct Scope {
     std::uint32_t first_binding = 0;
@@ -198,12 +198,12 @@ private:
   bool is_in_expect_ = false;            // where the questions are known
   bool is_main_ = false;
   std::vector<std::pair<const Unit*, NodeId>> wrong_models_; // of repeats
-  bool is_library_ = false;              // the scene places nothing: it is for others to use
-  bool reads_part_ = false;              // the name that is looked up next stands before a dot
+  bool is_library_ = false;                                  // the scene places nothing: it is for others to use
+  bool reads_part_ = false;                                  // the name that is looked up next stands before a dot
   bool is_define_ = false;
   const AddNames* add_further_names_ = nullptr;
-  TopItem* top_item_ = nullptr;          // in a session: the statement being read
-  const ModuleInfo* module_ = nullptr;   // the used file that is read, null for the scene itself
+  TopItem* top_item_ = nullptr;        // in a session: the statement being read
+  const ModuleInfo* module_ = nullptr; // the used file that is read, null for the scene itself
 };
 
 } // namespace rt::lang

@@ -1,9 +1,10 @@
 #include "lang/deep_stack.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <pthread.h>
 
 namespace rt::lang {
 namespace {
@@ -43,10 +44,13 @@ void run_on_deep_stack(const std::function<void(const char*)>& body) {
   pthread_attr_t attributes;
   pthread_t thread;
   pthread_attr_init(&attributes);
-  const bool is_started = pthread_attr_setstacksize(&attributes, stack_size) == 0 && pthread_create(&thread, &attributes, start, &job) == 0;
+  const bool is_started =
+      pthread_attr_setstacksize(&attributes, stack_size) == 0 && pthread_create(&thread, &attributes, start, &job) == 0;
   pthread_attr_destroy(&attributes);
-  if (is_started) pthread_join(thread, nullptr);
-  else start(&job);
+  if (is_started)
+    pthread_join(thread, nullptr);
+  else
+    start(&job);
   if (job.failure) std::rethrow_exception(job.failure);
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t tab_width = 4;
 constexpr std::size_t widest_line = 100; // what does not fit is clipped around the carets
-constexpr std::size_t most_before = 1'000; // characters of a line that are looked at before the carets, and twice that many after
+constexpr std::size_t most_before =
+    1'000; // characters of a line that are looked at before the carets, and twice that many after
 
 // A message may quote the scene: what would steer the terminal is shown as a replacement character.
 std::string harmless(std::string_view text) {
@@ -123,9 +124,12 @@ private:
 
   static std::string_view color_of(Severity severity) {
     switch (severity) {
-    case Severity::note: return green;
-    case Severity::warning: return "1;33";
-    case Severity::error: break;
+    case Severity::note:
+      return green;
+    case Severity::warning:
+      return "1;33";
+    case Severity::error:
+      break;
     }
     return "1;31";
   }
@@ -221,9 +225,12 @@ private:
 
 std::string_view spelling(Severity severity) {
   switch (severity) {
-  case Severity::note: return "note";
-  case Severity::warning: return "warning";
-  case Severity::error: break;
+  case Severity::note:
+    return "note";
+  case Severity::warning:
+    return "warning";
+  case Severity::error:
+    break;
   }
   return "error";
 }

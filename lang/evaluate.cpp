@@ -20,8 +20,10 @@ Evaluated evaluate(Program& program, Report& report, const Limits& limits, const
   return result;
 }
 
-Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop, const char* stack_limit)
-    : program_(program), report_(report), limits_(limits), stop_(stop), builder_(program.sources, scene_), stack_limit_(stack_limit) {
+Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
+                     const char* stack_limit)
+    : program_(program), report_(report), limits_(limits), stop_(stop), builder_(program.sources, scene_),
+      stack_limit_(stack_limit) {
   scene_properties_.noun = &program.nouns.scene();
 }
 
@@ -53,10 +55,14 @@ namespace {
 /// Where the value of an item that binds a name is kept.
 std::optional<std::uint32_t> bound_slot(const Ast& ast, NodeId item) {
   switch (ast.kind(item)) {
-  case Kind::bind: return ast.slot(ast.bind_item(item).name);
-  case Kind::use: return ast.slot(ast.use_item(item).name);
-  case Kind::param: return ast.slot(ast.param_item(item).name);
-  default: return std::nullopt;
+  case Kind::bind:
+    return ast.slot(ast.bind_item(item).name);
+  case Kind::use:
+    return ast.slot(ast.use_item(item).name);
+  case Kind::param:
+    return ast.slot(ast.param_item(item).name);
+  default:
+    return std::nullopt;
   }
 }
 
@@ -155,7 +161,8 @@ Value Evaluator::param_value(const Context& context, NodeId item) {
     const FrameScope frame(*this, make_frame(heap_, library_, define->frame_size));
     value = expression(define->unit->ast.root, {define->unit, frame.get()});
     if (!value.is_poison() && !otherwise.is_poison() && !are_alike(otherwise, value))
-      return fail("E0605", place, fmt::format("`{}` is {} in the scene", name(define->name), describe(otherwise)), "this is " + describe(value));
+      return fail("E0605", place, fmt::format("`{}` is {} in the scene", name(define->name), describe(otherwise)),
+                  "this is " + describe(value));
     if (otherwise.is(ValueKind::color) && !value.is_poison()) value = *as_color(value); // a number is a grey
   }
   return param.range == no_node ? value : within_range(value, place, param, context);
@@ -165,7 +172,9 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
   const Ast& ast = context.ast();
   const Value range = expression(param.range, context);
   if (value.is_poison() || range.is_poison()) return value;
-  if (!range.is(ValueKind::range)) return fail("E0304", ast.span(param.range), "the values that a `param` may have are a range", "this is " + describe(range));
+  if (!range.is(ValueKind::range))
+    return fail("E0304", ast.span(param.range), "the values that a `param` may have are a range",
+                "this is " + describe(range));
   if (!value.is_number()) return fail("E0606", place, "only a number can lie in a range", "this is " + describe(value));
   const RangeValue& r = range.range();
   const double low = std::min(r.from, r.to), high = std::max(r.from, r.to), x = value.number();
@@ -194,16 +203,19 @@ void Evaluator::finish_scene() {
     return;
   }
   if (has_leftovers_ && expectations_.empty()) drop_leftovers(scene_); // expectations may ask about what stands nowhere
-  for (std::size_t i = 0; i < program_.sources.size(); ++i) scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
+  for (std::size_t i = 0; i < program_.sources.size(); ++i)
+    scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   const auto note = [&](std::string_view code, std::string message) {
-    if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0})) d->message = std::move(message);
+    if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0}))
+      d->message = std::move(message);
   };
   if (!camera_place_) {
     scene_.camera = framing_camera(scene_);
     note("N0001", "there is no camera: " + describe_camera(scene_.camera));
   }
   bool has_ambient = false;
-  for (const PropertyValue& p : scene_properties_.values) has_ambient |= scene_properties_.noun->properties[p.id].name == "ambient";
+  for (const PropertyValue& p : scene_properties_.values)
+    has_ambient |= scene_properties_.noun->properties[p.id].name == "ambient";
   if (scene_.lights.empty() && !has_ambient) {
     scene_.lights.push_back(key_sun());
     note("N0002", "there is no light: " + describe_sun(key_sun()));

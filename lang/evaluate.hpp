@@ -16,8 +16,9 @@ struct Evaluated {
 };
 
 /// Runs a checked program: what it says becomes the scene, with a camera and a light where it has none. The scene is
-/// worth looking at only if the report has no error afterwards; parts that are in error are passed over, so that one run
-/// finds as many mistakes as there are. Expectations are tried where there is an observer, and passed over otherwise. Trees are changed by it (repeats become one another), and not restored.
+/// worth looking at only if the report has no error afterwards; parts that are in error are passed over, so that one
+/// run finds as many mistakes as there are. Expectations are tried where there is an observer, and passed over
+/// otherwise. Trees are changed by it (repeats become one another), and not restored.
 Evaluated evaluate(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
                    const ObserverMaker& observe = {});
 

@@ -2,9 +2,10 @@
 #include "lang/evaluator_loops.hpp"
 #include "lang/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace rt::lang {
 
@@ -22,27 +23,35 @@ void Evaluator::item(NodeId node, const Context& context, Target& target) {
     if (target.properties) target.properties->is_broken = true;
     return;
   case Kind::def:
-  case Kind::fn: return;
+  case Kind::fn:
+    return;
   case Kind::bind:
   case Kind::use:
-  case Kind::param: return declaration(node, context);
+  case Kind::param:
+    return declaration(node, context);
   case Kind::include:
-    if (Unit* included = context.unit->included(node)) file_items(included->ast.root, {included, context.frame}, target);
+    if (Unit* included = context.unit->included(node))
+      file_items(included->ast.root, {included, context.frame}, target);
     return;
   case Kind::expect:
     if (make_observer_ && unsure_ == 0 && target.kind == Target::Kind::scene)
       expectations_.push_back({context.unit, node, Ref<Frame>(context.frame), turn_of_loops()});
     return;
-  case Kind::property: return property_item(node, context, target);
+  case Kind::property:
+    return property_item(node, context, target);
   case Kind::for_:
     return loop_items(node, context, target);
-  case Kind::if_: return if_item(node, context, target);
-  case Kind::repeat: return repeat(node, context, target);
-  case Kind::comprehension: return put_comprehension(ast.comprehension(node), 0, context, target);
+  case Kind::if_:
+    return if_item(node, context, target);
+  case Kind::repeat:
+    return repeat(node, context, target);
+  case Kind::comprehension:
+    return put_comprehension(ast.comprehension(node), 0, context, target);
   case Kind::override_:
     if (ast[node].extra > 0) return put_simple(node, context, target);
     break;
-  default: break;
+  default:
+    break;
   }
   put(expression(node, context), ast.span(node), target);
 }
@@ -60,7 +69,8 @@ void Evaluator::loop_items(NodeId node, const Context& context, Target& target) 
 void Evaluator::repeat(NodeId node, const Context& context, Target& target) {
   Ast& ast = context.ast();
   const Repeat repeat = ast.repeat(node);
-  if (target.objects && repeat.count > target.objects->size()) target.objects->reserve(target.objects->size() + repeat.count);
+  if (target.objects && repeat.count > target.objects->size())
+    target.objects->reserve(target.objects->size() + repeat.count);
   StandIn model(report_, program_.sources, ast.model_span(repeat));
   for (std::uint32_t i = 0; i < repeat.count; ++i) {
     ast.become(repeat, i);
@@ -74,8 +84,10 @@ void Evaluator::if_item(NodeId node, const Context& context, Target& target) {
   const IfNode branch = ast.if_node(node);
   const auto run = [&](NodeId body) {
     if (body == no_node) return;
-    if (ast.kind(body) == Kind::if_) if_item(body, context, target);
-    else if (ast.kind(body) == Kind::block) items(body, context, target);
+    if (ast.kind(body) == Kind::if_)
+      if_item(body, context, target);
+    else if (ast.kind(body) == Kind::block)
+      items(body, context, target);
   };
   bool is_poison = false;
   const bool condition = is_true(branch.condition, context, is_poison);
@@ -97,7 +109,8 @@ bool Evaluator::is_loop_head(const Value& head, NodeId node, const Context& cont
   const double n = count(head.range(), head.excludes_end());
   const auto left = static_cast<double>(limits_.steps - std::min(limits_.steps, steps_));
   if (n > left) spend(limits_.steps, place); // more than there are steps for, so they need not be counted one by one
-  if (n == 0 && head.range().to < head.range().from && context.ast().kind(node) == Kind::range && context.ast().range(node).step == no_node) {
+  if (n == 0 && head.range().to < head.range().from && context.ast().kind(node) == Kind::range &&
+      context.ast().range(node).step == no_node) {
     if (Diagnostic* d = report_.add(Severity::note, "N0003", place)) {
       d->message = "this range is empty: it runs upwards, and its end lies below its beginning";
       d->label = "to count down, write `by -1`";
@@ -139,15 +152,18 @@ void Evaluator::set_property(Gathered& gathered, std::uint16_t id, Value value, 
   const bool is_parameter = (id & parameter_bit) != 0;
   const Property* property = is_parameter ? nullptr : &gathered.noun->properties[id];
   const std::string_view word = is_parameter ? name(gathered.def->parameters[id ^ parameter_bit].name) : property->name;
-  if (property && property->type == PropertyType::material && value.is(ValueKind::record)) value = as_material(value.record(), place);
+  if (property && property->type == PropertyType::material && value.is(ValueKind::record))
+    value = as_material(value.record(), place);
   for (const Gathered::Written& other : gathered.written) {
     const bool is_twice = other.id == id;
-    const bool clashes = property && property->form != 0 && (other.id & parameter_bit) == 0 && gathered.noun->properties[other.id].form != 0 &&
+    const bool clashes = property && property->form != 0 && (other.id & parameter_bit) == 0 &&
+                         gathered.noun->properties[other.id].form != 0 &&
                          gathered.noun->properties[other.id].form != property->form;
     if (!is_twice && !clashes) continue;
     if (Diagnostic* d = error(is_twice ? "E0205" : "E0206", name_place)) {
       d->message = is_twice ? fmt::format("`{}` is written twice", word)
-                            : fmt::format("`{}` and `{}` are two ways to say the same", gathered.noun->properties[other.id].name, word);
+                            : fmt::format("`{}` and `{}` are two ways to say the same",
+                                          gathered.noun->properties[other.id].name, word);
       if (clashes) d->label = "leave one of them out";
       d->notes.push_back({other.name, is_twice ? "first here" : "the other one is here"});
     }
@@ -178,7 +194,8 @@ void Evaluator::set_property(Gathered& gathered, std::uint16_t id, Value value, 
 void Evaluator::put(const Value& value, Span place, Target& target) {
   switch (value.kind()) {
   case ValueKind::poison:
-  case ValueKind::none: return;
+  case ValueKind::none:
+    return;
   case ValueKind::thing: {
     const Thing& thing = value.thing();
     return put_thing({thing.noun, thing.properties, thing.chain.get(), thing.span, &thing}, target);
@@ -189,18 +206,21 @@ void Evaluator::put(const Value& value, Span place, Target& target) {
       put(element, place, target);
     }
     return;
-  default: break;
+  default:
+    break;
   }
   if (target.kind == Target::Kind::discarded) return;
   if (Diagnostic* d = error("E0312", place)) {
     d->message = fmt::format("nothing is done with this: it is {}", describe(value));
     d->label = "a line holds a thing, a list of things or `none`";
     if (value.is(ValueKind::boolean)) d->notes.push_back({std::nullopt, "to bind a name, write a single `=`"});
-    if (value.is(ValueKind::closure) || value.is(ValueKind::builtin)) d->notes.push_back({std::nullopt, "a function is called with ( )"});
+    if (value.is(ValueKind::closure) || value.is(ValueKind::builtin))
+      d->notes.push_back({std::nullopt, "a function is called with ( )"});
   }
 }
 
-void Evaluator::put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context, Target& target) {
+void Evaluator::put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context,
+                                  Target& target) {
   const Ast& ast = context.ast();
   if (clause == parts.clauses.size()) {
     if (ast.kind(parts.element) == Kind::property) return;

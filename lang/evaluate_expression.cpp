@@ -4,36 +4,57 @@
 #include "lang/properties.hpp"
 #include "lang/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace rt::lang {
 
 Value Evaluator::expression(NodeId node, const Context& context) {
   const Ast& ast = context.ast();
   switch (ast.kind(node)) {
-  case Kind::number: return ast.number(node);
-  case Kind::boolean: return Value::boolean(ast.boolean(node));
-  case Kind::none: return {};
-  case Kind::string: return make_string(heap_, std::string(ast.text(node)));
-  case Kind::color: return from_srgb8(ast.color(node));
-  case Kind::name: return name_value(node, context);
+  case Kind::number:
+    return ast.number(node);
+  case Kind::boolean:
+    return Value::boolean(ast.boolean(node));
+  case Kind::none:
+    return {};
+  case Kind::string:
+    return make_string(heap_, std::string(ast.text(node)));
+  case Kind::color:
+    return from_srgb8(ast.color(node));
+  case Kind::name:
+    return name_value(node, context);
   case Kind::numbers:
-  case Kind::list: return list_value(node, context);
-  case Kind::record: return record_value(node, context);
-  case Kind::comprehension: return comprehension_value(node, context);
-  case Kind::lambda: return function_value(program_.functions[function_index(ast[node])], context.frame, ast.span(node));
-  case Kind::call: return call_value(node, context);
-  case Kind::index: return index_value(node, context);
-  case Kind::member: return member_value(node, context);
-  case Kind::override_: return override_value(node, context);
-  case Kind::unary: return unary_value(node, context);
-  case Kind::binary: return binary_value(node, context);
-  case Kind::range: return range_value(node, context);
-  case Kind::if_: return if_value(node, context);
-  case Kind::block: return value_block(node, context);
-  default: return Value::poison(); // an error node, reported by the parser
+  case Kind::list:
+    return list_value(node, context);
+  case Kind::record:
+    return record_value(node, context);
+  case Kind::comprehension:
+    return comprehension_value(node, context);
+  case Kind::lambda:
+    return function_value(program_.functions[function_index(ast[node])], context.frame, ast.span(node));
+  case Kind::call:
+    return call_value(node, context);
+  case Kind::index:
+    return index_value(node, context);
+  case Kind::member:
+    return member_value(node, context);
+  case Kind::override_:
+    return override_value(node, context);
+  case Kind::unary:
+    return unary_value(node, context);
+  case Kind::binary:
+    return binary_value(node, context);
+  case Kind::range:
+    return range_value(node, context);
+  case Kind::if_:
+    return if_value(node, context);
+  case Kind::block:
+    return value_block(node, context);
+  default:
+    return Value::poison(); // an error node, reported by the parser
   }
 }
 
@@ -58,13 +79,19 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
   }
   case Resolution::function:
     return function_value(program_.functions[index], outer(context.frame, frames_out(ast[node])), ast.span(node));
-  case Resolution::noun: return new_thing(program_.nouns[index], ast.span(node));
-  case Resolution::builtin: return all_builtins()[index];
-  case Resolution::constant: return constants()[index].value();
-  case Resolution::color: return from_srgb8(index);
-  case Resolution::choice: return Value::choice(program_.choices[index]);
+  case Resolution::noun:
+    return new_thing(program_.nouns[index], ast.span(node));
+  case Resolution::builtin:
+    return all_builtins()[index];
+  case Resolution::constant:
+    return constants()[index].value();
+  case Resolution::color:
+    return from_srgb8(index);
+  case Resolution::choice:
+    return Value::choice(program_.choices[index]);
   case Resolution::question: // is called, and then not asked for its value
-  case Resolution::none: break;
+  case Resolution::none:
+    break;
   }
   return Value::poison();
 }
@@ -89,7 +116,8 @@ Value Evaluator::list_value(NodeId node, const Context& context) {
   }
   const NodeList children = ast.children(node);
   if (children.size() == 3) { // a vector, most likely: without a list in between
-    Value x = expression(children[0], context), y = expression(children[1], context), z = expression(children[2], context);
+    Value x = expression(children[0], context), y = expression(children[1], context),
+          z = expression(children[2], context);
     if (x.is_number() && y.is_number() && z.is_number()) return Vec3{x.number(), y.number(), z.number()};
     if (x.is_poison() || y.is_poison() || z.is_poison()) return Value::poison();
     std::vector<Value> items;
@@ -118,7 +146,8 @@ Value Evaluator::record_value(NodeId node, const Context& context) {
   for (const NodeId item : ast.children(node)) {
     if (ast.kind(item) != Kind::property) return Value::poison();
     const Named field = ast.named(item);
-    entries.push_back({field.symbol, expression(field.value, context), ast.span(field.value), ast.named_span(item, program_.symbols)});
+    entries.push_back({field.symbol, expression(field.value, context), ast.span(field.value),
+                       ast.named_span(item, program_.symbols)});
   }
   Value record = make_record(heap_, std::move(entries));
   check_depth(depth_of(record), ast.span(node));
@@ -137,7 +166,8 @@ Value Evaluator::comprehension_value(NodeId node, const Context& context) {
   return list;
 }
 
-void Evaluator::comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items, Charge& memory) {
+void Evaluator::comprehend(const Comprehension& parts, std::size_t clause, const Context& context,
+                           std::vector<Value>& items, Charge& memory) {
   const Ast& ast = context.ast();
   if (clause == parts.clauses.size()) {
     memory.add(sizeof(Value));
@@ -164,7 +194,8 @@ Value Evaluator::index_value(NodeId node, const Context& context) {
     return fail("E0304", ast.span(parts.base), "only a list has elements", "this is " + describe(base));
   if (!index.is_number())
     return fail("E0304", ast.span(parts.index), "the place in a list is a number", "this is " + describe(index));
-  const double size = base.is(ValueKind::range) ? count(base.range(), base.excludes_end()) : static_cast<double>(sequence_size(base));
+  const double size =
+      base.is(ValueKind::range) ? count(base.range(), base.excludes_end()) : static_cast<double>(sequence_size(base));
   const double i = index.number();
   if (i != std::floor(i))
     return fail("E0308", ast.span(parts.index), "the place in a list is a whole number", "this is " + format_number(i));
@@ -186,9 +217,12 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
   const std::string_view word = name(symbol);
   const Span place = ast.member_span(node, program_.symbols);
   const auto unknown = [&](std::string message, std::span<const std::string_view> names) {
-    if (const auto guess = nearest(word, names)) return fail("E0212", place, std::move(message), fmt::format("did you mean `{}`?", *guess));
-    const bool is_function = std::ranges::any_of(all_builtins(), [&](const Builtin* builtin) { return builtin->name == word; });
-    return fail("E0212", place, std::move(message), is_function ? fmt::format("a function stands in front: `{}(…)`", word) : "");
+    if (const auto guess = nearest(word, names))
+      return fail("E0212", place, std::move(message), fmt::format("did you mean `{}`?", *guess));
+    const bool is_function =
+        std::ranges::any_of(all_builtins(), [&](const Builtin* builtin) { return builtin->name == word; });
+    return fail("E0212", place, std::move(message),
+                is_function ? fmt::format("a function stands in front: `{}(…)`", word) : "");
   };
   switch (base.kind()) {
   case ValueKind::record: {
@@ -215,8 +249,10 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
     if (word == "g") return base.color().g;
     if (word == "b") return base.color().b;
     return unknown(fmt::format("a colour has no part `{}`", word), {});
-  case ValueKind::thing: return thing_member(base.thing(), node, context);
-  default: return unknown(fmt::format("{} has no part `{}`", describe(base), word), {});
+  case ValueKind::thing:
+    return thing_member(base.thing(), node, context);
+  default:
+    return unknown(fmt::format("{} has no part `{}`", describe(base), word), {});
   }
 }
 
@@ -228,7 +264,8 @@ Value Evaluator::thing_member(const Thing& thing, NodeId node, const Context& co
   if (thing.def) {
     if (const auto i = thing.def->find(symbol)) {
       if (const PropertyValue* found = thing.find(parameter_id(*i))) return found->value;
-      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "only written parameters can be read");
+      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word),
+                  "only written parameters can be read");
     }
   }
   if (const auto id = thing.noun->find(symbol)) {
@@ -241,7 +278,8 @@ Value Evaluator::thing_member(const Thing& thing, NodeId node, const Context& co
   std::vector<std::string_view> names;
   for (const Property& property : thing.noun->properties) names.push_back(property.name);
   const auto guess = nearest(word, names);
-  return fail("E0212", place, fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
+  return fail("E0212", place,
+              fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
               guess ? fmt::format("did you mean `{}`?", *guess) : "");
 }
 
@@ -255,16 +293,20 @@ Value Evaluator::range_value(NodeId node, const Context& context) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (nodes[i] == no_node) continue;
     const Value value = expression(nodes[i], context);
-    if (value.is_number()) *numbers[i] = value.number();
-    else if (ast.kind(nodes[i]) == Kind::range) return Value::poison(); // the parser has said so
-    else if (!value.is_poison()) fail("E0304", ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value));
+    if (value.is_number())
+      *numbers[i] = value.number();
+    else if (ast.kind(nodes[i]) == Kind::range)
+      return Value::poison(); // the parser has said so
+    else if (!value.is_poison())
+      fail("E0304", ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value));
     is_poison |= !value.is_number();
   }
   if (is_poison) return Value::poison();
   if (range.step == 0) return fail("E0311", ast.span(parts.step), "the step of a range must not be 0");
   for (std::size_t i = 0; i < 3; ++i) {
     if (nodes[i] != no_node && !std::isfinite(*numbers[i]))
-      return fail("E0303", ast.span(nodes[i]), "a range is made of finite numbers", "this is " + format_number(*numbers[i]));
+      return fail("E0303", ast.span(nodes[i]), "a range is made of finite numbers",
+                  "this is " + format_number(*numbers[i]));
   }
   return Value::range(range, parts.excludes_end);
 }
@@ -303,9 +345,14 @@ void Evaluator::declaration(NodeId item, const Context& context) {
     (*context.frame)[ast.slot(bind.name)] = std::move(value);
     return;
   }
-  case Kind::use: (*context.frame)[ast.slot(ast.use_item(item).name)] = module_value(context, item); return;
-  case Kind::param: (*context.frame)[ast.slot(ast.param_item(item).name)] = param_value(context, item); return;
-  default: return; // def and fn are names without a value
+  case Kind::use:
+    (*context.frame)[ast.slot(ast.use_item(item).name)] = module_value(context, item);
+    return;
+  case Kind::param:
+    (*context.frame)[ast.slot(ast.param_item(item).name)] = param_value(context, item);
+    return;
+  default:
+    return; // def and fn are names without a value
   }
 }
 
@@ -318,13 +365,17 @@ Value Evaluator::value_block(NodeId block, const Context& context) {
     case Kind::use:
     case Kind::param:
     case Kind::def:
-    case Kind::fn: declaration(item, context); break;
+    case Kind::fn:
+      declaration(item, context);
+      break;
     case Kind::include:
       if (Unit* included = context.unit->included(item)) value_block(included->ast.root, {included, context.frame});
       break;
     case Kind::property:
-    case Kind::for_: break;
-    default: result = expression(item, context);
+    case Kind::for_:
+      break;
+    default:
+      result = expression(item, context);
     }
   }
   return result;

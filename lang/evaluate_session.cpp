@@ -25,8 +25,10 @@ bool is_expression(Kind kind) {
   case Kind::if_:
   case Kind::bind:
   case Kind::property:
-  case Kind::repeat: return false;
-  default: return true;
+  case Kind::repeat:
+    return false;
+  default:
+    return true;
   }
 }
 
@@ -70,8 +72,10 @@ Made Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool ma
         continue;
       }
       const Value value = expression(node, context);
-      if (is_placed(value)) put(value, unit.ast.span(node), target);
-      else made.printed = value;
+      if (is_placed(value))
+        put(value, unit.ast.span(node), target);
+      else
+        made.printed = value;
     }
     check_media(made.objects);
   } catch (const Ended&) {

@@ -30,8 +30,8 @@ struct Gathered {
     std::uint16_t id;
     Span name;
   };
-  std::vector<Written> written;      ///< in this block
-  bool is_broken = false;            ///< part of the block is in error, so that what it describes is not known
+  std::vector<Written> written; ///< in this block
+  bool is_broken = false;       ///< part of the block is in error, so that what it describes is not known
 };
 
 /// What the items of a block are put into.
@@ -68,7 +68,8 @@ struct Made {
 class Evaluator {
 public:
   /// `stack_limit` is the lowest address that the stack may reach.
-  Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop, const char* stack_limit);
+  Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
+            const char* stack_limit);
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
   ~Evaluator();
@@ -79,7 +80,8 @@ public:
   void begin_session();
   /// Functions that come from now on are those of the next input.
   void begin_change() { tried_functions_ = program_.functions.size(); }
-  /// Before the statements of an input are run: the limits count from here. `slots` is how many the session's frame must have.
+  /// Before the statements of an input are run: the limits count from here. `slots` is how many the session's frame
+  /// must have.
   void begin_input(std::uint32_t slots, const char* stack_limit);
   /// `may_print`: an expression that is no thing is no mistake.
   Made run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
@@ -128,7 +130,8 @@ private:
   void enter_call(Span place);
   [[noreturn]] void end(std::string_view code, std::string message, std::string label, Span place);
   [[noreturn]] void give_up(std::string_view code, std::string message, std::string label, Span place);
-  template <class F> bool ends_in_time(F&& run);
+  template <class F>
+  bool ends_in_time(F&& run);
 
   // Messages
   Diagnostic* error(std::string_view code, Span place);
@@ -143,7 +146,8 @@ private:
   Value list_value(NodeId node, const Context& context);
   Value record_value(NodeId node, const Context& context);
   Value comprehension_value(NodeId node, const Context& context);
-  void comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items, Charge& memory);
+  void comprehend(const Comprehension& parts, std::size_t clause, const Context& context, std::vector<Value>& items,
+                  Charge& memory);
   Value index_value(NodeId node, const Context& context);
   Value member_value(NodeId node, const Context& context);
   Value member_of(const Value& base, NodeId node, const Context& context);
@@ -187,7 +191,8 @@ private:
   void put(const Value& value, Span place, Target& target);
   void put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context, Target& target);
   /// Calls body(context) for each element of the head of a `for`, its variables set.
-  template <class Body> void for_each(NodeId node, const Context& context, Body&& body);
+  template <class Body>
+  void for_each(NodeId node, const Context& context, Body&& body);
   bool is_loop_head(const Value& head, NodeId node, const Context& context);
 
   // Things (things.cpp)
@@ -291,13 +296,13 @@ private:
 
   Ref<Frame> library_, main_;
   std::vector<std::pair<const ModuleInfo*, Value>> modules_;
-  std::vector<Ref<Frame>> suspects_;   // frames that may be kept alive by what they hold
-  std::size_t next_sweep_ = std::size_t{1} << 14; // how many of them are looked through next
+  std::vector<Ref<Frame>> suspects_;                             // frames that may be kept alive by what they hold
+  std::size_t next_sweep_ = std::size_t{1} << 14;                // how many of them are looked through next
   std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
   Gathered scene_properties_;
   std::optional<Span> camera_place_;
-  std::vector<Span> combination_places_; // by index of the combination
-  std::size_t tried_functions_ = 0; // in a session: so many of the program's
+  std::vector<Span> combination_places_;     // by index of the combination
+  std::size_t tried_functions_ = 0;          // in a session: so many of the program's
   std::vector<scene::NameId> default_names_; // by symbol: once they were needed
   std::vector<Expectation> expectations_;
   std::vector<Loop> loops_; // the outermost first

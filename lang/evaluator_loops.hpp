@@ -18,7 +18,8 @@ private:
   Ref<Frame> frame_;
 };
 
-template <class Body> void Evaluator::for_each(NodeId node, const Context& context, Body&& body) {
+template <class Body>
+void Evaluator::for_each(NodeId node, const Context& context, Body&& body) {
   const ForItem loop = context.ast().for_item(node);
   const std::uint32_t own_frame = context.ast()[node].extra;
   const Value head = expression(loop.head, context);

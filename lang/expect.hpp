@@ -15,11 +15,11 @@ namespace rt::lang {
 
 /// What a ray meets first.
 struct Sighting {
-  double t = 0;        ///< in lengths of the ray's direction
-  double distance = 0; ///< Euclidean
-  Vec3 normal;         ///< unit, geometric: out of the solid
+  double t = 0;                       ///< in lengths of the ray's direction
+  double distance = 0;                ///< Euclidean
+  Vec3 normal;                        ///< unit, geometric: out of the solid
   std::vector<scene::Object> objects; ///< what was hit, outermost first; the last is the shape itself
-  std::string title;   ///< how it is called in messages
+  std::string title;                  ///< how it is called in messages
 };
 
 /// Looks at one scene for the expectations in it. The language asks, and does not know who traces.

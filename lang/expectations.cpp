@@ -1,10 +1,10 @@
 #include "lang/evaluator.hpp"
 #include "lang/properties.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
@@ -24,7 +24,8 @@ bool are_near(const Value& found, const Value& expected, std::optional<double> t
   if (found.is_number() && expected.is_number()) return are_near(found.number(), expected.number(), tolerance);
   if (found.is(ValueKind::color) || expected.is(ValueKind::color)) {
     const auto a = as_color(found), b = as_color(expected);
-    return a && b && are_near(a->r, b->r, tolerance) && are_near(a->g, b->g, tolerance) && are_near(a->b, b->b, tolerance);
+    return a && b && are_near(a->r, b->r, tolerance) && are_near(a->g, b->g, tolerance) &&
+           are_near(a->b, b->b, tolerance);
   }
   if (!is_sequence(found) || !is_sequence(expected)) return equal(found, expected);
   const std::size_t size = sequence_size(expected);
@@ -35,32 +36,42 @@ bool are_near(const Value& found, const Value& expected, std::optional<double> t
   return true;
 }
 
-std::string at_t(const Sighting& sighting) { return fmt::format("{} at t {:.17g}", sighting.title, sighting.t); }
+std::string at_t(const Sighting& sighting) {
+  return fmt::format("{} at t {:.17g}", sighting.title, sighting.t);
+}
 
-bool is_comparison(Op op) { return op >= Op::equal && op <= Op::greater_equal; }
+bool is_comparison(Op op) {
+  return op >= Op::equal && op <= Op::greater_equal;
+}
 
 } // namespace
 
 void Evaluator::run_expectations() {
   for (const Expectation& expectation : expectations_) {
     spend(1, expectation.unit->ast.span(expectation.node));
-    if (holds(expectation)) ++outcome_.passed;
-    else ++outcome_.failed;
+    if (holds(expectation))
+      ++outcome_.passed;
+    else
+      ++outcome_.failed;
   }
 }
 
 bool Evaluator::holds(const Expectation& expectation) {
   const ExpectItem item = expectation.unit->ast.expect_item(expectation.node);
   switch (item.claim) {
-  case Claim::holds: return holds_true(expectation, item);
-  case Claim::near: return holds_near(expectation, item);
+  case Claim::holds:
+    return holds_true(expectation, item);
+  case Claim::near:
+    return holds_near(expectation, item);
   case Claim::hits:
-  case Claim::misses: break;
+  case Claim::misses:
+    break;
   }
   return holds_sight(expectation, item);
 }
 
-void Evaluator::fail_expectation(const Expectation& expectation, std::string message, std::string expected, std::string found) {
+void Evaluator::fail_expectation(const Expectation& expectation, std::string message, std::string expected,
+                                 std::string found) {
   Diagnostic& d = outcome_.failures.emplace_back();
   d.code = "E0701";
   d.message = std::move(message);
@@ -69,7 +80,8 @@ void Evaluator::fail_expectation(const Expectation& expectation, std::string mes
   if (!found.empty()) d.notes.push_back({std::nullopt, "found " + std::move(found)});
   std::string turn;
   for (const LoopVariable& v : expectation.turn)
-    turn += fmt::format("{}{} = {}", turn.empty() ? "" : ", ", program_.sources.text(v.name), format(v.value, program_.symbols));
+    turn += fmt::format("{}{} = {}", turn.empty() ? "" : ", ", program_.sources.text(v.name),
+                        format(v.value, program_.symbols));
   if (!turn.empty()) d.notes.push_back({std::nullopt, "in the turn of the loop with " + turn});
 }
 
@@ -95,8 +107,10 @@ bool Evaluator::holds_true(const Expectation& expectation, const ExpectItem& ite
   }
   const auto side = [&](NodeId node) { return format(expression(node, context), program_.symbols); };
   const Op op = ast.op(item.subject);
-  fail_expectation(expectation, "this is false", fmt::format("{}{}", op == Op::equal ? "" : fmt::format("{} ", spelling(op)), side(ast.right(item.subject))),
-                   side(ast.left(item.subject)));
+  fail_expectation(
+      expectation, "this is false",
+      fmt::format("{}{}", op == Op::equal ? "" : fmt::format("{} ", spelling(op)), side(ast.right(item.subject))),
+      side(ast.left(item.subject)));
   return false;
 }
 
@@ -104,7 +118,9 @@ std::optional<double> Evaluator::tolerance_of(const ExpectItem& item, const Cont
   if (item.tolerance == no_node) return otherwise;
   const Value tolerance = expression(item.tolerance, context);
   if (tolerance.is_number() && tolerance.number() >= 0) return tolerance.number();
-  if (!tolerance.is_poison()) fail("E0304", context.ast().span(item.tolerance), "a tolerance is a number, 0 or more", "this is " + describe(tolerance));
+  if (!tolerance.is_poison())
+    fail("E0304", context.ast().span(item.tolerance), "a tolerance is a number, 0 or more",
+         "this is " + describe(tolerance));
   return std::nullopt;
 }
 
@@ -119,7 +135,8 @@ bool Evaluator::holds_near(const Expectation& expectation, const ExpectItem& ite
   std::string wanted = format(expected, program_.symbols);
   if (tolerance) wanted += fmt::format(" within {}", format_number(*tolerance));
   std::string message = "the values differ";
-  if (found.is_number() && expected.is_number()) message += fmt::format(" by {:.3g}", std::abs(found.number() - expected.number()));
+  if (found.is_number() && expected.is_number())
+    message += fmt::format(" by {:.3g}", std::abs(found.number() - expected.number()));
   fail_expectation(expectation, std::move(message), std::move(wanted), format(found, program_.symbols));
   return false;
 }
@@ -155,7 +172,9 @@ bool Evaluator::holds_sight(const Expectation& expectation, const ExpectItem& it
   if (is_it && (!t.is_number() || are_near(seen->t, t.number(), tolerance))) return true;
   std::string expected = what;
   if (t.is_number()) expected += fmt::format(" at t {}", format_number(t.number()));
-  const char* message = !seen ? "the ray hits nothing" : is_it ? "the ray hits elsewhere" : "the ray hits something else";
+  const char* message = !seen   ? "the ray hits nothing"
+                        : is_it ? "the ray hits elsewhere"
+                                : "the ray hits something else";
   fail_expectation(expectation, message, std::move(expected), found);
   return false;
 }
@@ -165,12 +184,15 @@ std::string Evaluator::name_of(const Value& thing, NodeId node, const Context& c
   return fmt::format("`{}`", program_.sources.text(context.ast().span(node)));
 }
 
-// By its name where it has one: a copy that was placed bears it too, and so does what a composite holds. Else by its shape.
+// By its name where it has one: a copy that was placed bears it too, and so does what a composite holds. Else by its
+// shape.
 bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
   if (value.is(ValueKind::thing) && alone_.thing.is(ValueKind::thing) && alone_.thing.cell() == value.cell()) {
     // The thing that was asked about alone: whatever was hit is part of it.
     const auto list = std::span(alone_.scene->objects);
-    const bool is_of_it = std::ranges::any_of(list, [&](const scene::Object& o) { return o.shape == sighting.objects.front().shape && o.at == sighting.objects.front().at; });
+    const bool is_of_it = std::ranges::any_of(list, [&](const scene::Object& o) {
+      return o.shape == sighting.objects.front().shape && o.at == sighting.objects.front().at;
+    });
     if (is_of_it) return true;
   }
   scene::NameId wanted = scene::no_name;

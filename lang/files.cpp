@@ -3,10 +3,11 @@
 #include "lang/parse.hpp"
 #include "lang/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <fmt/format.h>
 #include <fstream>
 #include <system_error>
 
@@ -59,7 +60,9 @@ Files::Files(Program& program, Report& report, const fs::path& folder, const std
   for (const std::string& root : roots) roots_.push_back(resolved(root));
 }
 
-void Files::set_folder(const fs::path& folder) { folder_ = resolved(folder); }
+void Files::set_folder(const fs::path& folder) {
+  folder_ = resolved(folder);
+}
 
 Unit& Files::parse_text(std::string name, std::string path, std::string text, Span included_from) {
   const auto start = std::chrono::steady_clock::now();
@@ -85,7 +88,8 @@ Unit& Files::parse_expression_text(std::string name, std::string text) {
 }
 
 bool Files::is_allowed(const fs::path& path) const {
-  return is_within(path, folder_) || std::ranges::any_of(roots_, [&](const fs::path& root) { return is_within(path, root); });
+  return is_within(path, folder_) ||
+         std::ranges::any_of(roots_, [&](const fs::path& root) { return is_within(path, root); });
 }
 
 fs::path Files::find(std::string_view path, Span place) {
@@ -103,7 +107,8 @@ fs::path Files::find(std::string_view path, Span place) {
   if (Diagnostic* d = report_.error("E0603", place)) {
     d->message = "this file is outside of the scene's folder";
     const bool is_absolute = fs::path(path).is_absolute();
-    d->label = fmt::format("this leads to {}", is_absolute ? found.string() : found.lexically_relative(folder_).string());
+    d->label =
+        fmt::format("this leads to {}", is_absolute ? found.string() : found.lexically_relative(folder_).string());
     d->notes.push_back({std::nullopt, "files are read from the folder of the scene, and from the folders in it"});
     d->notes.push_back({std::nullopt, "`--include-root FOLDER` on the command line allows another folder"});
   }
@@ -126,7 +131,8 @@ std::string Files::like_named(const fs::path& path, Span place) const {
     const fs::path other = resolved(entry->path());
     const bool is_file = is_allowed(other) && entry->is_regular_file(error);
     if (!is_file || other == program_.sources.file(place.file).path) continue;
-    if (std::string other_name = entry->path().filename().string(); is_like(name, other_name)) names.push_back(std::move(other_name));
+    if (std::string other_name = entry->path().filename().string(); is_like(name, other_name))
+      names.push_back(std::move(other_name));
   }
   std::ranges::sort(names); // a folder has no order
   const std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -120,8 +120,8 @@ private:
     line_ += out_.size() - offset - tail.size();
   }
 
-  // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide. Gives
-  // the place of its trailing comment.
+  // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide.
+  // Gives the place of its trailing comment.
   std::size_t fitting(Entry& entry, std::size_t indent) {
     const std::size_t outer_widest = std::exchange(widest_, 0);
     const std::size_t begin = out_.size(), line = line_;

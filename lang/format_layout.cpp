@@ -21,9 +21,13 @@ bool is_symbol(const Piece& piece, std::string_view text) {
   return piece.kind == TokenKind::symbol && piece.text == text;
 }
 
-bool is_tight(const Piece& piece) { return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<"); }
+bool is_tight(const Piece& piece) {
+  return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<");
+}
 
-bool is_for(const Piece& piece) { return piece.kind == TokenKind::name && piece.text == "for"; }
+bool is_for(const Piece& piece) {
+  return piece.kind == TokenKind::name && piece.text == "for";
+}
 
 // Whether the piece stands where a value is wanted: behind an operator or a word that needs one, or first.
 bool is_value_wanted(const std::vector<Piece>& pieces, std::size_t i) {
@@ -36,7 +40,9 @@ bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {
   return is_symbol(pieces[i], "-") && is_value_wanted(pieces, i);
 }
 
-bool has_clause(const Entry& entry) { return std::any_of(entry.pieces.begin(), entry.pieces.end(), is_for); }
+bool has_clause(const Entry& entry) {
+  return std::any_of(entry.pieces.begin(), entry.pieces.end(), is_for);
+}
 
 bool has_broken_clauses(const Entry& entry) {
   for (std::size_t i = 1; i < entry.pieces.size(); ++i) {
@@ -64,7 +70,9 @@ void settle(Entry& entry) {
 
 // The ways to break a group; each says whether it has changed anything.
 
-bool break_block(Group& block) { return !std::exchange(block.is_broken, true); }
+bool break_block(Group& block) {
+  return !std::exchange(block.is_broken, true);
+}
 
 bool break_clauses(Group& comprehension) {
   Entry& element = comprehension.entries.front();
@@ -102,7 +110,8 @@ bool has_space_before(const std::vector<Piece>& pieces, std::size_t i) {
 bool begins_clause(const std::vector<Piece>& pieces, std::size_t i) {
   if (pieces[i].kind != TokenKind::name || (pieces[i].text != "for" && pieces[i].text != "if")) return false;
   if (is_value_wanted(pieces, i)) return false; // an `if` with blocks: `= if a { … } else if b { … }`
-  return pieces[i].text == "for" || std::any_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), is_for);
+  return pieces[i].text == "for" ||
+         std::any_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), is_for);
 }
 
 bool has_line_break_within(const Entry& entry) {
@@ -194,7 +203,8 @@ std::vector<std::size_t> comment_padding(const std::vector<Entry>& items, const 
     if (items[begin].trailing_comment.empty()) continue;
     std::size_t widest_line = widths[begin];
     for (; end < items.size() && !items[end].trailing_comment.empty() && !items[end].follows_blank_line &&
-           items[end].comment_column == items[begin].comment_column; ++end)
+           items[end].comment_column == items[begin].comment_column;
+         ++end)
       widest_line = std::max(widest_line, widths[end]);
     for (std::size_t i = begin; i < end; ++i) padding[i] = widest_line - widths[i];
   }

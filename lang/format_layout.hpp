@@ -32,8 +32,8 @@ void mark_commas(std::vector<Entry>& items);
 /// the column of each item's sign, counted from the item's beginning; 0 where a single space will do.
 std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items);
 
-/// The same for trailing comments: how many spaces more than one stand before each. `widths` says how wide the line is that
-/// each comment stands on, without it.
+/// The same for trailing comments: how many spaces more than one stand before each. `widths` says how wide the line is
+/// that each comment stands on, without it.
 std::vector<std::size_t> comment_padding(const std::vector<Entry>& items, const std::vector<std::size_t>& widths);
 
 } // namespace rt::lang::layout

@@ -8,7 +8,9 @@
 
 namespace rt::lang::layout {
 
-bool is_comment(TokenKind kind) { return kind == TokenKind::line_comment || kind == TokenKind::block_comment; }
+bool is_comment(TokenKind kind) {
+  return kind == TokenKind::line_comment || kind == TokenKind::block_comment;
+}
 
 namespace {
 
@@ -185,6 +187,8 @@ private:
 
 } // namespace
 
-Group read(std::string_view text) { return Reader(text).file(); }
+Group read(std::string_view text) {
+  return Reader(text).file();
+}
 
 } // namespace rt::lang::layout

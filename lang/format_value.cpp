@@ -2,8 +2,9 @@
 #include "lang/thing.hpp"
 #include "lang/value.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace rt::lang {
 namespace {
@@ -11,10 +12,14 @@ namespace {
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') (out += '\\') += c;
-    else if (c == '\n') out += "\\n";
-    else if (c == '\t') out += "\\t";
-    else out += c;
+    if (c == '"' || c == '\\')
+      (out += '\\') += c;
+    else if (c == '\n')
+      out += "\\n";
+    else if (c == '\t')
+      out += "\\t";
+    else
+      out += c;
   }
   return out + '"';
 }
@@ -30,17 +35,22 @@ std::string format_color(const Color& color) {
 
 std::string format_range(const Value& value) {
   const RangeValue& r = value.range();
-  std::string text = fmt::format("{}{}{}", format_number(r.from), value.excludes_end() ? "..<" : "..", format_number(r.to));
+  std::string text =
+      fmt::format("{}{}{}", format_number(r.from), value.excludes_end() ? "..<" : "..", format_number(r.to));
   if (r.step != 1) text += " by " + format_number(r.step);
   return text;
 }
 
 std::string format_fade(const scene::Fade& fade) {
   switch (fade.law) {
-  case scene::Fade::Law::none: return "none";
-  case scene::Fade::Law::linear: return fmt::format("linear({})", format_number(fade.distance));
-  case scene::Fade::Law::quadratic: return fmt::format("quadratic({})", format_number(fade.distance));
-  case scene::Fade::Law::inverse_square: return "inverse_square";
+  case scene::Fade::Law::none:
+    return "none";
+  case scene::Fade::Law::linear:
+    return fmt::format("linear({})", format_number(fade.distance));
+  case scene::Fade::Law::quadratic:
+    return fmt::format("quadratic({})", format_number(fade.distance));
+  case scene::Fade::Law::inverse_square:
+    return "inverse_square";
   }
   return "";
 }
@@ -74,8 +84,10 @@ void append_thing(std::string& out, const Thing& thing, const SymbolTable& names
     const bool is_parameter = (p.id & parameter_bit) != 0;
     out += is_first ? " " : ", ";
     is_first = false;
-    if (is_parameter) out += names.name(thing.def->parameters[p.id ^ parameter_bit].name);
-    else out += thing.noun->properties[p.id].name;
+    if (is_parameter)
+      out += names.name(thing.def->parameters[p.id ^ parameter_bit].name);
+    else
+      out += thing.noun->properties[p.id].name;
     out += ": ";
     append(out, p.value, names);
   }
@@ -85,23 +97,47 @@ void append_thing(std::string& out, const Thing& thing, const SymbolTable& names
 
 void append(std::string& out, const Value& value, const SymbolTable& names) {
   switch (value.kind()) {
-  case ValueKind::none: out += "none"; return;
-  case ValueKind::boolean: out += value.truth() ? "true" : "false"; return;
-  case ValueKind::number: out += format_number(value.number()); return;
+  case ValueKind::none:
+    out += "none";
+    return;
+  case ValueKind::boolean:
+    out += value.truth() ? "true" : "false";
+    return;
+  case ValueKind::number:
+    out += format_number(value.number());
+    return;
   case ValueKind::vector:
-  case ValueKind::list: append_list(out, value, names); return;
-  case ValueKind::color: out += format_color(value.color()); return;
-  case ValueKind::range: out += format_range(value); return;
-  case ValueKind::fade: out += format_fade(value.fade()); return;
-  case ValueKind::choice: out += value.choice(); return;
-  case ValueKind::string: out += quoted(value.text()); return;
-  case ValueKind::record: append_record(out, value.record(), names); return;
-  case ValueKind::thing: append_thing(out, value.thing(), names); return;
+  case ValueKind::list:
+    append_list(out, value, names);
+    return;
+  case ValueKind::color:
+    out += format_color(value.color());
+    return;
+  case ValueKind::range:
+    out += format_range(value);
+    return;
+  case ValueKind::fade:
+    out += format_fade(value.fade());
+    return;
+  case ValueKind::choice:
+    out += value.choice();
+    return;
+  case ValueKind::string:
+    out += quoted(value.text());
+    return;
+  case ValueKind::record:
+    append_record(out, value.record(), names);
+    return;
+  case ValueKind::thing:
+    append_thing(out, value.thing(), names);
+    return;
   case ValueKind::closure:
     out += value.closure().function->name == no_symbol ? "fn" : names.name(value.closure().function->name);
     out += "(…)";
     return;
-  default: out += describe(value); return;
+  default:
+    out += describe(value);
+    return;
   }
 }
 

@@ -1,8 +1,9 @@
 #include "lang/framing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 namespace rt::lang {
@@ -11,7 +12,9 @@ namespace {
 constexpr Vec3 towards_the_eye{0.5, 0.45, 1};
 constexpr double margin = 1.1;
 
-std::string text(const Vec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
+std::string text(const Vec3& v) {
+  return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z);
+}
 
 } // namespace
 

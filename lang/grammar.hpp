@@ -349,9 +349,8 @@ struct claims_near : one<'~'> {};
 struct claims_hit : claim_word<'h', 'i', 't', 's'> {};
 struct claims_miss : claim_word<'m', 'i', 's', 's', 'e', 's'> {};
 struct claim_ends : sor<one<'\n', ',', ';', '}'>, claim_word<'w', 'i', 't', 'h', 'i', 'n'>, eof> {};
-struct claim
-    : sor<seq<claims_near, wide_gap, required<expression>>, seq<claims_hit, gap, required<expression>>,
-          seq<claims_miss, opt<gap, not_at<claim_ends>, required<expression>>>> {};
+struct claim : sor<seq<claims_near, wide_gap, required<expression>>, seq<claims_hit, gap, required<expression>>,
+                   seq<claims_miss, opt<gap, not_at<claim_ends>, required<expression>>>> {};
 struct claim_at : claim_word<'a', 't'> {};
 struct claim_t : claim_word<'t'> {};
 struct claim_parameter : seq<claim_at, gap, required<claim_t>, gap, required<expression>> {};
@@ -360,9 +359,8 @@ struct claim_tolerance : seq<claim_within, gap, required<expression>> {};
 struct without_other : success {};
 struct without_parameter : success {};
 struct without_tolerance : success {};
-struct expect_item
-    : seq<expect_begin, gap, required<expression>, opt<gap, claim>, without_other, opt<gap, claim_parameter>,
-          without_parameter, opt<gap, claim_tolerance>, without_tolerance> {};
+struct expect_item : seq<expect_begin, gap, required<expression>, opt<gap, claim>, without_other,
+                         opt<gap, claim_parameter>, without_parameter, opt<gap, claim_tolerance>, without_tolerance> {};
 
 struct foreign_variable : seq<is<Word::foreign_variable>, at<gap, peg::identifier, gap, equals>> {}; // an error
 struct property_colon : colon {};
@@ -376,8 +374,8 @@ struct named_item : seq<opt<foreign_variable, gap, word>, when<&ParseState::word
                         sor<property_item, bind_item, named_expression>> {};
 
 /// Where a later kind of item begins with a word of its own, it joins the first list.
-struct reserved_item
-    : seq<when<&ParseState::word_is_reserved>, sor<for_item, def_item, fn_item, include_item, use_item, param_item, expect_item>> {};
+struct reserved_item : seq<when<&ParseState::word_is_reserved>,
+                           sor<for_item, def_item, fn_item, include_item, use_item, param_item, expect_item>> {};
 struct word_item : seq<word, sor<reserved_item, foreign_function_item, named_item>> {};
 
 struct previous_begin : seq<when<&ParseState::may_edit_previous>, at<one<'.'>, peg::identifier_first>> {};

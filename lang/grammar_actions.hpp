@@ -38,9 +38,7 @@ struct action<hash_comment> : placed<action<hash_comment>> {
 
 template <>
 struct action<number> : placed<action<number>> {
-  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    state.number(begin, end);
-  }
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) { state.number(begin, end); }
 };
 
 template <>
@@ -82,9 +80,7 @@ struct action<single_quoted> : placed<action<single_quoted>> {
 
 template <>
 struct action<color> : placed<action<color>> {
-  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    state.color(begin, end);
-  }
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) { state.color(begin, end); }
 };
 
 template <>
@@ -92,9 +88,12 @@ struct action<true_false_none_name> : placed<action<true_false_none_name>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     switch (state.last.word) {
     case Word::true_:
-    case Word::false_: return state.build.leaf(Kind::boolean, begin, end, state.last.word == Word::true_ ? 1 : 0);
-    case Word::none_: return state.build.leaf(Kind::none, begin, end);
-    default: return state.build.name(begin, end, state.symbol());
+    case Word::false_:
+      return state.build.leaf(Kind::boolean, begin, end, state.last.word == Word::true_ ? 1 : 0);
+    case Word::none_:
+      return state.build.leaf(Kind::none, begin, end);
+    default:
+      return state.build.name(begin, end, state.symbol());
     }
   }
 };
@@ -113,28 +112,42 @@ struct action<mark_separator> {
 struct declares_name {
   static void apply0(ParseState& state) { state.build.name(state.last.begin, state.last.end, state.symbol()); }
 };
-template <> struct action<loop_name> : declares_name {};
-template <> struct action<declared_word> : declares_name {};
+template <>
+struct action<loop_name> : declares_name {};
+template <>
+struct action<declared_word> : declares_name {};
 
 struct begins_at_word {
   static void apply0(ParseState& state) { state.build.open(state.last.begin); }
 };
-template <> struct action<for_begin> : begins_at_word {};
-template <> struct action<def_begin> : begins_at_word {};
-template <> struct action<fn_begin> : begins_at_word {};
-template <> struct action<param_begin> : begins_at_word {};
-template <> struct action<include_begin> : begins_at_word {};
-template <> struct action<use_begin> : begins_at_word {};
-template <> struct action<lambda_begin> : begins_at_word {};
-template <> struct action<clause_begin> : begins_at_word {};
-template <> struct action<filter_begin> : begins_at_word {};
-template <> struct action<if_begin> : begins_at_word {};
+template <>
+struct action<for_begin> : begins_at_word {};
+template <>
+struct action<def_begin> : begins_at_word {};
+template <>
+struct action<fn_begin> : begins_at_word {};
+template <>
+struct action<param_begin> : begins_at_word {};
+template <>
+struct action<include_begin> : begins_at_word {};
+template <>
+struct action<use_begin> : begins_at_word {};
+template <>
+struct action<lambda_begin> : begins_at_word {};
+template <>
+struct action<clause_begin> : begins_at_word {};
+template <>
+struct action<filter_begin> : begins_at_word {};
+template <>
+struct action<if_begin> : begins_at_word {};
 
 struct begins_here : placed<begins_here> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t) { state.build.open(begin); }
 };
-template <> struct action<block_begin> : begins_here {};
-template <> struct action<list_begin> : begins_here {};
+template <>
+struct action<block_begin> : begins_here {};
+template <>
+struct action<list_begin> : begins_here {};
 
 // Expressions
 
@@ -159,9 +172,7 @@ struct action<prefix_not> : placed<action<prefix_not>> {
 };
 template <>
 struct action<foreign_prefix> : placed<action<foreign_prefix>> {
-  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
-    state.foreign_prefix(begin, end);
-  }
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) { state.foreign_prefix(begin, end); }
 };
 template <>
 struct action<infix_symbol> : placed<action<infix_symbol>> {
@@ -187,9 +198,12 @@ struct closes_list {
 struct closes_record {
   static void close(ParseState& state, std::uint32_t end) { state.close_record(end); }
 };
-template <> struct action<block> : ends_here<closes_block> {};
-template <> struct action<list> : ends_here<closes_list> {};
-template <> struct action<record> : ends_here<closes_record> {};
+template <>
+struct action<block> : ends_here<closes_block> {};
+template <>
+struct action<list> : ends_here<closes_list> {};
+template <>
+struct action<record> : ends_here<closes_record> {};
 
 template <>
 struct action<paren> : placed<action<paren>> {
@@ -209,8 +223,10 @@ struct closes_clause {
 struct closes_filter {
   static void close(ParseState& state, std::uint32_t end) { state.build.close_filter(end); }
 };
-template <> struct action<clause> : ends_here<closes_clause> {};
-template <> struct action<filter> : ends_here<closes_filter> {};
+template <>
+struct action<clause> : ends_here<closes_clause> {};
+template <>
+struct action<filter> : ends_here<closes_filter> {};
 
 template <>
 struct action<property_name> : placed<action<property_name>> {
@@ -219,20 +235,25 @@ struct action<property_name> : placed<action<property_name>> {
 struct closes_index {
   static void close(ParseState& state, std::uint32_t end) { state.build.index(end); }
 };
-template <> struct action<index> : ends_here<closes_index> {};
-template <> struct action<call_begin> {
+template <>
+struct action<index> : ends_here<closes_index> {};
+template <>
+struct action<call_begin> {
   static void apply0(ParseState& state) { state.build.open_suffix(); }
 };
 struct closes_call {
   static void close(ParseState& state, std::uint32_t end) { state.build.close_counted(Kind::call, end, 1); }
 };
-template <> struct action<call> : ends_here<closes_call> {};
+template <>
+struct action<call> : ends_here<closes_call> {};
 
 struct overrides {
   static void apply0(ParseState& state) { state.build.override_block(); }
 };
-template <> struct action<override_block> : overrides {};
-template <> struct action<override_on_new_line> : overrides {};
+template <>
+struct action<override_block> : overrides {};
+template <>
+struct action<override_on_new_line> : overrides {};
 
 template <>
 struct action<argument_begin> : placed<action<argument_begin>> {
@@ -279,7 +300,8 @@ struct closes_parameter {
     state.build.close_pair(Kind::parameter, state.build.top().end);
   }
 };
-template <> struct action<parameter> : ends_here<closes_parameter> {};
+template <>
+struct action<parameter> : ends_here<closes_parameter> {};
 template <>
 struct action<no_parameters> : placed<action<no_parameters>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t) {
@@ -293,21 +315,22 @@ template <>
 struct action<arrow> : placed<action<arrow>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 2) return;
-    state.report(syntax_error("E0129", state.span(begin, end), "a function without a name needs `=>`",
-                              "`fn (x) => x * x`"));
+    state.report(
+        syntax_error("E0129", state.span(begin, end), "a function without a name needs `=>`", "`fn (x) => x * x`"));
   }
 };
 template <>
 struct action<function_sign> : placed<action<function_sign>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 1) return;
-    state.report(syntax_error("E0129", state.span(begin, end), "`=>` belongs to a function without a name",
-                              "write `=`"));
+    state.report(
+        syntax_error("E0129", state.span(begin, end), "`=>` belongs to a function without a name", "write `=`"));
   }
 };
 struct closes_lambda {
   static void close(ParseState& state, std::uint32_t end) { state.build.close_function(Kind::lambda, end); }
 };
-template <> struct action<lambda> : ends_here<closes_lambda> {};
+template <>
+struct action<lambda> : ends_here<closes_lambda> {};
 
 } // namespace rt::lang::grammar

@@ -21,7 +21,8 @@ struct analyze_traits<Name, grammar_of_scenes::nested<Rule>> : analyze_seq_trait
 template <typename Name, typename Rule>
 struct analyze_traits<Name, grammar_of_scenes::before_block<Rule>> : analyze_seq_traits<Rule> {};
 template <typename Name, char Open, char Close, typename Content>
-struct analyze_traits<Name, grammar_of_scenes::bracketed<Open, Close, Content>> : analyze_seq_traits<one<Open>, Content, one<Close>> {};
+struct analyze_traits<Name, grammar_of_scenes::bracketed<Open, Close, Content>>
+    : analyze_seq_traits<one<Open>, Content, one<Close>> {};
 template <typename Name, typename Rule>
 struct analyze_traits<Name, grammar_of_scenes::recovered<Rule>> : analyze_seq_traits<Rule> {};
 

@@ -13,8 +13,10 @@ struct brace_stands_alone : placed<brace_stands_alone> {
                               "it stands on the line of what it belongs to"));
   }
 };
-template <> struct action<misplaced_brace> : brace_stands_alone {};
-template <> struct action<brace_on_new_line> : brace_stands_alone {};
+template <>
+struct action<misplaced_brace> : brace_stands_alone {};
+template <>
+struct action<brace_on_new_line> : brace_stands_alone {};
 template <>
 struct action<else_on_new_line> : placed<action<else_on_new_line>> {
   static void at(ParseState& state, std::uint32_t, std::uint32_t end) {
@@ -96,14 +98,18 @@ struct closes_use {
 struct closes_param {
   static void close(ParseState& state, std::uint32_t end) { state.close_param(end); }
 };
-template <> struct action<expect_begin> : begins_at_word {};
+template <>
+struct action<expect_begin> : begins_at_word {};
 template <Claim C>
 struct claims {
   static void apply0(ParseState& state) { state.build.mark().symbol = Symbol{static_cast<std::uint32_t>(C)}; }
 };
-template <> struct action<claims_near> : claims<Claim::near> {};
-template <> struct action<claims_hit> : claims<Claim::hits> {};
-template <> struct action<claims_miss> : claims<Claim::misses> {};
+template <>
+struct action<claims_near> : claims<Claim::near> {};
+template <>
+struct action<claims_hit> : claims<Claim::hits> {};
+template <>
+struct action<claims_miss> : claims<Claim::misses> {};
 /// What was left out among the parts of an `expect`.
 template <std::uint32_t Parts>
 struct completes_claim {
@@ -111,18 +117,28 @@ struct completes_claim {
     if (state.build.parts() < Parts) state.build.nothing(state.build.top().end);
   }
 };
-template <> struct action<without_other> : completes_claim<2> {};
-template <> struct action<without_parameter> : completes_claim<3> {};
-template <> struct action<without_tolerance> : completes_claim<4> {};
+template <>
+struct action<without_other> : completes_claim<2> {};
+template <>
+struct action<without_parameter> : completes_claim<3> {};
+template <>
+struct action<without_tolerance> : completes_claim<4> {};
 struct closes_expect {
   static void close(ParseState& state, std::uint32_t end) { state.close_expect(end); }
 };
-template <> struct action<expect_item> : ends_here<closes_expect> {};
-template <> struct action<for_item> : ends_here<closes_for> {};
-template <> struct action<def_item> : ends_here<closes_def> {};
-template <> struct action<function_rest> : ends_here<closes_fn> {};
-template <> struct action<include_item> : ends_here<closes_include> {};
-template <> struct action<use_item> : ends_here<closes_use> {};
-template <> struct action<param_item> : ends_here<closes_param> {};
+template <>
+struct action<expect_item> : ends_here<closes_expect> {};
+template <>
+struct action<for_item> : ends_here<closes_for> {};
+template <>
+struct action<def_item> : ends_here<closes_def> {};
+template <>
+struct action<function_rest> : ends_here<closes_fn> {};
+template <>
+struct action<include_item> : ends_here<closes_include> {};
+template <>
+struct action<use_item> : ends_here<closes_use> {};
+template <>
+struct action<param_item> : ends_here<closes_param> {};
 
 } // namespace rt::lang::grammar

@@ -57,18 +57,28 @@ void Heap::destroy(Cell* cell) {
     deallocate(typed, sizeof(T) + extra);
   };
   switch (cell->kind) {
-  case ValueKind::string: discharge(static_cast<String*>(cell)->text.capacity()); return end(static_cast<String*>(cell), 0);
+  case ValueKind::string:
+    discharge(static_cast<String*>(cell)->text.capacity());
+    return end(static_cast<String*>(cell), 0);
   case ValueKind::list:
     discharge(static_cast<List*>(cell)->items.capacity() * sizeof(Value));
     return end(static_cast<List*>(cell), 0);
-  case ValueKind::record: return end(static_cast<Record*>(cell), 0);
-  case ValueKind::closure: return end(static_cast<Closure*>(cell), 0);
-  case ValueKind::thing: return end(static_cast<Thing*>(cell), 0);
-  case ValueKind::module: return end(static_cast<Module*>(cell), 0);
-  case ValueKind::frame: return end(static_cast<Frame*>(cell), static_cast<Frame*>(cell)->size * sizeof(Value));
-  case ValueKind::chain: return end(static_cast<Chain*>(cell), 0);
-  case ValueKind::content: return end(static_cast<Content*>(cell), 0);
-  default: assert(false);
+  case ValueKind::record:
+    return end(static_cast<Record*>(cell), 0);
+  case ValueKind::closure:
+    return end(static_cast<Closure*>(cell), 0);
+  case ValueKind::thing:
+    return end(static_cast<Thing*>(cell), 0);
+  case ValueKind::module:
+    return end(static_cast<Module*>(cell), 0);
+  case ValueKind::frame:
+    return end(static_cast<Frame*>(cell), static_cast<Frame*>(cell)->size * sizeof(Value));
+  case ValueKind::chain:
+    return end(static_cast<Chain*>(cell), 0);
+  case ValueKind::content:
+    return end(static_cast<Content*>(cell), 0);
+  default:
+    assert(false);
   }
 }
 

@@ -13,25 +13,27 @@ class Heap;
 
 /// What a value is. From `string` on it lives on the heap and is shared.
 enum class ValueKind : std::uint8_t {
-  unset,   ///< a name whose line has not been reached
-  poison,  ///< what an expression in error gives: whatever is made of it is poison too, without a word
+  unset,  ///< a name whose line has not been reached
+  poison, ///< what an expression in error gives: whatever is made of it is poison too, without a word
   none,
   boolean,
   number,
-  vector,  ///< a list of two or three numbers
+  vector, ///< a list of two or three numbers
   color,
   range,
   fade,
   choice,  ///< a word such as `orthographic`
   builtin, ///< a built-in function
   string,
-  list,    ///< any other list
+  list, ///< any other list
   record,
   closure, ///< a function of the scene's
   thing,
   module,
   // Never values, but on the heap like them:
-  frame, chain, content
+  frame,
+  chain,
+  content
 };
 
 /// The head of everything on the heap. Cells are counted references, and nothing in them ever changes that a value
@@ -43,8 +45,8 @@ struct Cell {
   std::uint16_t depth = 0; ///< how deep lists, records and things are nested in it
 };
 
-/// The memory of one evaluation: cells by size class, and how many bytes are in use. Freeing a long chain of cells takes
-/// no recursion. Everything allocated must be gone before the heap is.
+/// The memory of one evaluation: cells by size class, and how many bytes are in use. Freeing a long chain of cells
+/// takes no recursion. Everything allocated must be gone before the heap is.
 class Heap {
 public:
   Heap() = default;
@@ -53,7 +55,8 @@ public:
   ~Heap();
 
   /// A new cell of type T with `extra` bytes behind it; without references yet.
-  template <class T, class... Arguments> T* make(std::size_t extra, Arguments&&... arguments) {
+  template <class T, class... Arguments>
+  T* make(std::size_t extra, Arguments&&... arguments) {
     T* cell = new (allocate(sizeof(T) + extra)) T(std::forward<Arguments>(arguments)...);
     cell->heap = this;
     cell->kind = T::cell_kind;
@@ -77,7 +80,9 @@ private:
   void deallocate(void* memory, std::size_t bytes);
   void destroy(Cell* cell);
 
-  struct Free { Free* next; };
+  struct Free {
+    Free* next;
+  };
   std::array<Free*, largest / granule + 1> free_{};
   std::vector<std::byte*> chunks_;
   std::byte* next_ = nullptr;
@@ -105,7 +110,8 @@ private:
 };
 
 /// A counted reference to a cell, or none.
-template <class T> class Ref {
+template <class T>
+class Ref {
 public:
   Ref() = default;
   explicit Ref(T* cell) : cell_(cell) { retain(); }

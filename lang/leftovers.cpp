@@ -17,7 +17,8 @@ public:
   bool mark(std::size_t i) { return std::exchange(new_index_[i], used) == unused; }
 
   /// Moves what is used to the front; true if anything goes.
-  template <class T> bool compact(std::vector<T>& table) {
+  template <class T>
+  bool compact(std::vector<T>& table) {
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < table.size(); ++i) {
       if (new_index_[i] == unused) continue;
@@ -38,7 +39,8 @@ private:
 class Sweep {
 public:
   explicit Sweep(scene::Scene& scene)
-      : scene_(scene), materials_(scene.materials.size()), patterns_(scene.patterns.size()), turns_(scene.turns.size()) {
+      : scene_(scene), materials_(scene.materials.size()), patterns_(scene.patterns.size()),
+        turns_(scene.turns.size()) {
     scene::ShapeKinds::for_each([&]<class S>() { shapes_.emplace_back(scene.shapes.all<S>().size()); });
   }
 
@@ -58,7 +60,8 @@ public:
     for (scene::Group& group : scene_.shapes.all<scene::Group>()) renumber(group.members);
     for (scene::Combination& combination : scene_.shapes.all<scene::Combination>()) renumber(combination.operands);
     for (scene::Material& material : scene_.materials) {
-      for (scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission}) renumber(*paint);
+      for (scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission})
+        renumber(*paint);
     }
     for (scene::Pattern& pattern : scene_.patterns) renumber(pattern.a), renumber(pattern.b);
   }
@@ -68,13 +71,16 @@ private:
     if (object.turn != scene::no_turn) turns_.mark(static_cast<std::size_t>(object.turn));
     if (object.material != scene::no_material) mark(object.material);
     if (!shapes_[object.shape.kind].mark(object.shape.index)) return;
-    if (object.shape.kind == kind_of<scene::Group>) pending_.push_back(&scene_.shapes.get<scene::Group>(object.shape).members);
-    if (object.shape.kind == kind_of<scene::Combination>) pending_.push_back(&scene_.shapes.get<scene::Combination>(object.shape).operands);
+    if (object.shape.kind == kind_of<scene::Group>)
+      pending_.push_back(&scene_.shapes.get<scene::Group>(object.shape).members);
+    if (object.shape.kind == kind_of<scene::Combination>)
+      pending_.push_back(&scene_.shapes.get<scene::Combination>(object.shape).operands);
   }
   void mark(scene::MaterialId id) {
     if (!materials_.mark(static_cast<std::size_t>(id))) return;
     const scene::Material& material = scene_.materials[static_cast<std::size_t>(id)];
-    for (const scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission}) mark(*paint);
+    for (const scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission})
+      mark(*paint);
   }
   void mark(const scene::Paint& paint) {
     const scene::PatternId* id = std::get_if<scene::PatternId>(&paint);
@@ -88,11 +94,13 @@ private:
     for (scene::Object& object : objects) {
       object.shape.index = shapes_[object.shape.kind][object.shape.index];
       if (object.turn != scene::no_turn) object.turn = scene::TurnId{turns_[static_cast<std::size_t>(object.turn)]};
-      if (object.material != scene::no_material) object.material = scene::MaterialId{materials_[static_cast<std::size_t>(object.material)]};
+      if (object.material != scene::no_material)
+        object.material = scene::MaterialId{materials_[static_cast<std::size_t>(object.material)]};
     }
   }
   void renumber(scene::Paint& paint) const {
-    if (const scene::PatternId* id = std::get_if<scene::PatternId>(&paint)) paint = scene::PatternId{patterns_[static_cast<std::size_t>(*id)]};
+    if (const scene::PatternId* id = std::get_if<scene::PatternId>(&paint))
+      paint = scene::PatternId{patterns_[static_cast<std::size_t>(*id)]};
   }
 
   scene::Scene& scene_;
@@ -103,6 +111,8 @@ private:
 
 } // namespace
 
-void drop_leftovers(scene::Scene& scene) { Sweep(scene).run(); }
+void drop_leftovers(scene::Scene& scene) {
+  Sweep(scene).run();
+}
 
 } // namespace rt::lang

@@ -1,7 +1,8 @@
 #include "lang/evaluator.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 namespace {
@@ -27,7 +28,8 @@ void Evaluator::give_up(std::string_view code, std::string message, std::string 
 
 void Evaluator::look_at_limits(Span place) {
   if (steps_ > limits_.steps)
-    end("E0501", fmt::format("this scene takes more than {} steps", limits_.steps), "here it was stopped; `--max-steps` allows more", place);
+    end("E0501", fmt::format("this scene takes more than {} steps", limits_.steps),
+        "here it was stopped; `--max-steps` allows more", place);
   if (stop_ && stop_->load(std::memory_order_relaxed)) end("E0505", "stopped", "evaluation had come to here", place);
   reserve(0, place);
   next_look_ = std::min(steps_ + steps_between_looks, limits_.steps + 1);
@@ -36,32 +38,38 @@ void Evaluator::look_at_limits(Span place) {
 std::uint64_t Evaluator::bytes_in_use() const {
   std::uint64_t shapes = 0;
   scene::ShapeKinds::for_each([&]<class S>() { shapes += scene_.shapes.all<S>().capacity() * sizeof(S); });
-  return heap_.bytes() + shapes + objects_ * sizeof(scene::Object) + scene_.materials.capacity() * sizeof(scene::Material) +
-         scene_.turns.capacity() * sizeof(scene::Placement);
+  return heap_.bytes() + shapes + objects_ * sizeof(scene::Object) +
+         scene_.materials.capacity() * sizeof(scene::Material) + scene_.turns.capacity() * sizeof(scene::Placement);
 }
 
 void Evaluator::reserve(std::uint64_t bytes, Span place) {
   if (bytes_in_use() + bytes <= limits_.memory_bytes) return;
-  end("E0504", fmt::format("this scene takes more than {} of memory", amount(limits_.memory_bytes)), "here it was stopped; `--max-memory` allows more", place);
+  end("E0504", fmt::format("this scene takes more than {} of memory", amount(limits_.memory_bytes)),
+      "here it was stopped; `--max-memory` allows more", place);
 }
 
 void Evaluator::count_objects(std::size_t count, Span place) {
   objects_ += count;
   if (objects_ <= limits_.objects) return;
-  end("E0503", fmt::format("this scene has more than {} objects", limits_.objects), "here it was stopped; `--max-objects` allows more", place);
+  end("E0503", fmt::format("this scene has more than {} objects", limits_.objects),
+      "here it was stopped; `--max-objects` allows more", place);
 }
 
 void Evaluator::check_depth(std::uint16_t depth, Span place) {
   if (depth <= most_depth) return;
-  give_up("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped", place);
+  give_up("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped",
+          place);
 }
 
 void Evaluator::enter_call(Span place) {
   spend(1, place);
   const char here = 0;
   if (++recursion_ > limits_.recursion)
-    give_up("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion), "does this call itself without end?", place);
-  if (&here < stack_limit_) give_up("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", recursion_), "here it was stopped", place);
+    give_up("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion),
+            "does this call itself without end?", place);
+  if (&here < stack_limit_)
+    give_up("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", recursion_),
+            "here it was stopped", place);
 }
 
 Diagnostic* Evaluator::error(std::string_view code, Span place) {
@@ -76,12 +84,14 @@ Diagnostic* Evaluator::error(std::string_view code, Span place) {
     const bool is_in_the_middle = i >= calls_shown_at_each_end && i + calls_shown_at_each_end < calls.size();
     if (is_in_the_middle && i > calls_shown_at_each_end) continue;
     if (is_in_the_middle) {
-      d->call_stack.push_back({std::nullopt, fmt::format("… {} more calls", calls.size() - 2 * calls_shown_at_each_end)});
+      d->call_stack.push_back(
+          {std::nullopt, fmt::format("… {} more calls", calls.size() - 2 * calls_shown_at_each_end)});
       continue;
     }
     const FunctionInfo& function = *calls[i]->function;
     const std::string what = function.name == no_symbol ? "a function" : fmt::format("`{}`", name(function.name));
-    d->call_stack.push_back({report_.place(calls[i]->place), fmt::format("in {}, {} here", what, function.kind == Kind::def ? "made" : "called")});
+    d->call_stack.push_back({report_.place(calls[i]->place),
+                             fmt::format("in {}, {} here", what, function.kind == Kind::def ? "made" : "called")});
   }
   return d;
 }

@@ -12,7 +12,8 @@ struct NumberLiteral {
   double value;
   std::uint32_t length;
 };
-/// Rounds to the nearest double, as the C++ library does. Requires a text that begins with a digit, or a point and a digit.
+/// Rounds to the nearest double, as the C++ library does. Requires a text that begins with a digit, or a point and a
+/// digit.
 NumberLiteral read_number(std::string_view text);
 /// The same with a minus before it, or without; the length is 0 where no digit follows.
 NumberLiteral read_signed_number(std::string_view text);
@@ -20,7 +21,8 @@ NumberLiteral read_signed_number(std::string_view text);
 /// What one of `suffix` is in degrees; 0 where there is no such unit.
 double degrees_per(std::string_view suffix);
 
-/// A string literal without its quotes, escapes resolved. `bad_escapes` gets the offset of each escape that has no meaning.
+/// A string literal without its quotes, escapes resolved. `bad_escapes` gets the offset of each escape that has no
+/// meaning.
 std::string read_string(std::string_view text, std::vector<std::uint32_t>& bad_escapes);
 
 /// `rgb` or `rrggbb` in hexadecimal as 0xrrggbb. Requires 3 or 6 hexadecimal digits.

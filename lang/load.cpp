@@ -5,10 +5,11 @@
 #include "lang/library.hpp"
 #include "lang/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fmt/format.h>
 
 namespace rt::lang {
 

@@ -25,7 +25,7 @@ struct Limits {
 struct LoadOptions {
   std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text
   Limits limits;
-  std::vector<std::string> include_roots; ///< folders beyond the scene's own that `include` and `use` may read from
+  std::vector<std::string> include_roots;  ///< folders beyond the scene's own that `include` and `use` may read from
   ObserverMaker observe;                   ///< who looks at the scene for its expectations; without, they are not tried
   bool lint = false;                       ///< also look for what is well formed and hardly meant: `Loaded::remarks`
   const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic

@@ -1,6 +1,7 @@
 #include "lang/evaluator.hpp"
 
 #include <fmt/format.h>
+
 #include <set>
 #include <utility>
 
@@ -9,7 +10,8 @@ namespace {
 
 using scene::MaterialId;
 
-/// Looks through the scene for combinations whose parts that refract, or mirror by Fresnel's equations, disagree about what is inside.
+/// Looks through the scene for combinations whose parts that refract, or mirror by Fresnel's equations, disagree about
+/// what is inside.
 class MediaCheck {
 public:
   explicit MediaCheck(const scene::Scene& scene) : scene_(scene) {}
@@ -27,8 +29,10 @@ public:
       const bool is_group = shape.kind == scene::kind_of<scene::Group>;
       if (!is_group && shape.kind != scene::kind_of<scene::Combination>) continue;
       if (!seen_.emplace(shape.index * 2 + (is_group ? 1U : 0U), static_cast<std::uint32_t>(material)).second) continue;
-      if (is_group) visit(scene_.shapes.get<scene::Group>(shape).members, material);
-      else if (object.material == scene::no_material) compare_parts(shape.index, inherited);
+      if (is_group)
+        visit(scene_.shapes.get<scene::Group>(shape).members, material);
+      else if (object.material == scene::no_material)
+        compare_parts(shape.index, inherited);
     }
   }
 
@@ -50,8 +54,10 @@ private:
       if (material == scene::no_material) continue;
       const scene::Material& m = scene_.materials[static_cast<std::size_t>(material)];
       if (m.refract == 0 && !m.fresnel) continue;
-      if (first_ == 0) first_ = m.ior;
-      else if (m.ior != first_) second_ = m.ior;
+      if (first_ == 0)
+        first_ = m.ior;
+      else if (m.ior != first_)
+        second_ = m.ior;
     }
   }
 
@@ -67,8 +73,10 @@ void Evaluator::check_media(const std::vector<scene::Object>& objects) {
   MediaCheck check(scene_);
   check.visit(objects, scene::no_material);
   for (const MediaCheck::Conflict& conflict : check.conflicts) {
-    fail("E0408", combination_places_[conflict.combination], "the parts of this solid refract differently, and one solid is one medium",
-         fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first), format_number(conflict.second)),
+    fail("E0408", combination_places_[conflict.combination],
+         "the parts of this solid refract differently, and one solid is one medium",
+         fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first),
+                     format_number(conflict.second)),
          "give the whole a material, or its parts the same `ior`");
   }
 }

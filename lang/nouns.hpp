@@ -16,7 +16,17 @@ enum class Category : std::uint8_t { shape, group, combination, material, patter
 
 /// The type of a property: those of the description's fields (same order), and what only the language has.
 enum class PropertyType : std::uint8_t {
-  number, boolean, vector, size, color, paint, number_paint, points, choice, fade, resolution,
+  number,
+  boolean,
+  vector,
+  size,
+  color,
+  paint,
+  number_paint,
+  points,
+  choice,
+  fade,
+  resolution,
   material,
   text,
 };
@@ -37,7 +47,8 @@ struct Property {
   const scene::Field* field = nullptr; ///< where `common` is none
 };
 
-/// How a shape or light of a kind known only at run time is made: in memory of `size` bytes aligned to `std::max_align_t`.
+/// How a shape or light of a kind known only at run time is made: in memory of `size` bytes aligned to
+/// `std::max_align_t`.
 struct Maker {
   std::size_t size = 0;
   void (*construct)(void* memory) = nullptr;

@@ -1,31 +1,47 @@
 #include "lang/evaluator.hpp"
 #include "lang/properties.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace rt::lang {
 namespace {
 
 double compute(Op op, double a, double b) {
   switch (op) {
-  case Op::add: return a + b;
-  case Op::subtract: return a - b;
-  case Op::multiply: return a * b;
-  case Op::divide: return a / b;
-  case Op::modulo: return a - b * std::floor(a / b);
-  case Op::power: return std::pow(a, b);
-  default: return 0;
+  case Op::add:
+    return a + b;
+  case Op::subtract:
+    return a - b;
+  case Op::multiply:
+    return a * b;
+  case Op::divide:
+    return a / b;
+  case Op::modulo:
+    return a - b * std::floor(a / b);
+  case Op::power:
+    return std::pow(a, b);
+  default:
+    return 0;
   }
 }
 
-Vec3 each(Op op, const Vec3& a, const Vec3& b) { return {compute(op, a.x, b.x), compute(op, a.y, b.y), compute(op, a.z, b.z)}; }
+Vec3 each(Op op, const Vec3& a, const Vec3& b) {
+  return {compute(op, a.x, b.x), compute(op, a.y, b.y), compute(op, a.z, b.z)};
+}
 
-Value like(const Value& vector, const Vec3& v) { return vector.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v); }
+Value like(const Value& vector, const Vec3& v) {
+  return vector.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
+}
 
-bool is_thing_or_list(const Value& value) { return value.is(ValueKind::thing) || value.is(ValueKind::list); }
+bool is_thing_or_list(const Value& value) {
+  return value.is(ValueKind::thing) || value.is(ValueKind::list);
+}
 
-bool is_solid_operator(Op op) { return op == Op::unite || op == Op::intersect || op == Op::subtract; }
+bool is_solid_operator(Op op) {
+  return op == Op::unite || op == Op::intersect || op == Op::subtract;
+}
 
 } // namespace
 
@@ -70,13 +86,17 @@ Value Evaluator::binary_value(NodeId node, const Context& context) {
     return compute(op, left.number(), right.number());
   if (left.is_poison() || right.is_poison()) return Value::poison();
   switch (op) {
-  case Op::equal: return Value::boolean(equal(left, right));
-  case Op::not_equal: return Value::boolean(!equal(left, right));
+  case Op::equal:
+    return Value::boolean(equal(left, right));
+  case Op::not_equal:
+    return Value::boolean(!equal(left, right));
   case Op::less:
   case Op::less_equal:
   case Op::greater:
-  case Op::greater_equal: return comparison(op, left, right, ast.span(node));
-  default: break;
+  case Op::greater_equal:
+    return comparison(op, left, right, ast.span(node));
+  default:
+    break;
   }
   if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing) || op != Op::subtract) &&
       is_thing_or_list(left) && is_thing_or_list(right))
@@ -101,11 +121,14 @@ Value Evaluator::arithmetic(Op op, const Value& left, const Value& right, Span p
     return make_string(heap_, left.text() + right.text());
   }
   const bool has_vector = left.is(ValueKind::vector) || right.is(ValueKind::vector);
-  if (has_vector && (left.is_number() || left.is(ValueKind::vector)) && (right.is_number() || right.is(ValueKind::vector)))
+  if (has_vector && (left.is_number() || left.is(ValueKind::vector)) &&
+      (right.is_number() || right.is(ValueKind::vector)))
     return vector_arithmetic(op, left, right, place);
   const bool has_color = left.is(ValueKind::color) || right.is(ValueKind::color);
   const auto a = as_color(left), b = as_color(right);
-  if (a && b && (has_color || (!left.is_number() && !right.is_number()) || left.is(ValueKind::thing) || right.is(ValueKind::thing)))
+  if (a && b &&
+      (has_color || (!left.is_number() && !right.is_number()) || left.is(ValueKind::thing) ||
+       right.is(ValueKind::thing)))
     return color_arithmetic(op, *a, *b, place);
   return wrong_operands(op, left, right, place);
 }
@@ -128,23 +151,33 @@ Value Evaluator::vector_arithmetic(Op op, const Value& left, const Value& right,
 
 Value Evaluator::color_arithmetic(Op op, const Color& a, const Color& b, Span place) {
   switch (op) {
-  case Op::add: return a + b;
-  case Op::subtract: return a - b;
-  case Op::multiply: return a * b;
-  case Op::divide: return Color{a.r / b.r, a.g / b.g, a.b / b.b};
-  default: return wrong_operands(op, Value(a), Value(b), place);
+  case Op::add:
+    return a + b;
+  case Op::subtract:
+    return a - b;
+  case Op::multiply:
+    return a * b;
+  case Op::divide:
+    return Color{a.r / b.r, a.g / b.g, a.b / b.b};
+  default:
+    return wrong_operands(op, Value(a), Value(b), place);
   }
 }
 
 Value Evaluator::wrong_operands(Op op, const Value& left, const Value& right, Span place) {
   std::string advice;
-  if (op == Op::add && (left.is(ValueKind::string) || right.is(ValueKind::string))) advice = "`str(x)` turns a value into text";
+  if (op == Op::add && (left.is(ValueKind::string) || right.is(ValueKind::string)))
+    advice = "`str(x)` turns a value into text";
   if (op == Op::add && is_sequence(left) && is_sequence(right)) advice = "`concat(a, b)` joins two lists";
-  if ((op == Op::add || op == Op::subtract) && (left.is_number() || right.is_number()) && (left.is(ValueKind::vector) || right.is(ValueKind::vector)))
+  if ((op == Op::add || op == Op::subtract) && (left.is_number() || right.is_number()) &&
+      (left.is(ValueKind::vector) || right.is(ValueKind::vector)))
     advice = "a vector and a number cannot be added: write `[x, y, z]` for both";
   if (op == Op::add && left.is(ValueKind::thing)) advice = "`a | b` is the union of two solids";
-  if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing))) advice = "solids are combined with solids";
-  return fail("E0304", place, fmt::format("`{}` cannot be applied to {} and {}", spelling(op), describe(left), describe(right)), {}, std::move(advice));
+  if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing)))
+    advice = "solids are combined with solids";
+  return fail("E0304", place,
+              fmt::format("`{}` cannot be applied to {} and {}", spelling(op), describe(left), describe(right)), {},
+              std::move(advice));
 }
 
 } // namespace rt::lang

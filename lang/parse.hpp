@@ -6,9 +6,9 @@
 namespace rt::lang {
 
 struct ParseOptions {
-  int max_depth = 256;         ///< of brackets and of operators within operators
-  bool folds_repeats = false;  ///< yields `repeat` nodes; off, every item stands for itself
-  bool is_session = false;     ///< a first line that begins with `.` edits what was placed last (`Kind::previous`)
+  int max_depth = 256;        ///< of brackets and of operators within operators
+  bool folds_repeats = false; ///< yields `repeat` nodes; off, every item stands for itself
+  bool is_session = false;    ///< a first line that begins with `.` edits what was placed last (`Kind::previous`)
 };
 
 /// A tree (with error nodes where the syntax is wrong) and every syntax error, in source order.

@@ -159,18 +159,30 @@ void ParseState::infix_symbol(std::uint32_t begin, std::uint32_t end) {
   if (op == "<" && begins_foreign_vector(begin)) fail(Expected::property_colon, begin);
   const auto apply = [&](Op meaning) { complain(build.infix(meaning), begin, end); };
   switch (op[0]) {
-  case '=': return apply(Op::equal);
-  case '!': return apply(Op::not_equal);
-  case '<': return apply(second == '=' ? Op::less_equal : Op::less);
-  case '>': return apply(second == '=' ? Op::greater_equal : Op::greater);
-  case '+': return apply(Op::add);
-  case '-': return apply(Op::subtract);
-  case '|': return apply(second == '|' ? Op::or_ : Op::unite);
-  case '&': return apply(second == '&' ? Op::and_ : Op::intersect);
-  case '*': return apply(second == '*' ? Op::power : Op::multiply);
-  case '/': return apply(Op::divide);
-  case '%': return apply(Op::modulo);
-  default: return apply(Op::power);
+  case '=':
+    return apply(Op::equal);
+  case '!':
+    return apply(Op::not_equal);
+  case '<':
+    return apply(second == '=' ? Op::less_equal : Op::less);
+  case '>':
+    return apply(second == '=' ? Op::greater_equal : Op::greater);
+  case '+':
+    return apply(Op::add);
+  case '-':
+    return apply(Op::subtract);
+  case '|':
+    return apply(second == '|' ? Op::or_ : Op::unite);
+  case '&':
+    return apply(second == '&' ? Op::and_ : Op::intersect);
+  case '*':
+    return apply(second == '*' ? Op::power : Op::multiply);
+  case '/':
+    return apply(Op::divide);
+  case '%':
+    return apply(Op::modulo);
+  default:
+    return apply(Op::power);
   }
 }
 
@@ -237,7 +249,8 @@ void ParseState::close_expect(std::uint32_t end) {
   };
   if (claim != Claim::hits) misplaced(2, "at t", "an expectation with `hits`");
   if (claim != Claim::hits && claim != Claim::near) misplaced(3, "within", "an expectation with `~`, or with `at t`");
-  if (claim == Claim::hits && build.part(2).node == no_node) misplaced(3, "within", "an expectation with `~`, or with `at t`");
+  if (claim == Claim::hits && build.part(2).node == no_node)
+    misplaced(3, "within", "an expectation with `~`, or with `at t`");
   build.close_expect(claim, end);
 }
 

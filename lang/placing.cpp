@@ -1,8 +1,9 @@
 #include "lang/evaluator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
@@ -48,19 +49,25 @@ void Evaluator::put_thing(const Described& described, Target& target) {
     if (!target.properties) return; // the block of something in error
     const Noun& owner = *target.properties->noun;
     const std::string_view whose = target.properties->def ? name(target.properties->def->name) : owner.name;
-    fail("E0405", described.place, fmt::format("things cannot be put into `{}`", whose), {}, "a `group` and the combinations take things; other blocks hold properties only");
+    fail("E0405", described.place, fmt::format("things cannot be put into `{}`", whose), {},
+         "a `group` and the combinations take things; other blocks hold properties only");
     return;
   }
   switch (noun.category) {
   case Category::shape:
   case Category::group:
-  case Category::combination: return put_shape(described, target);
-  case Category::light: return put_light(described, target);
-  case Category::camera: return put_camera(described, target);
-  default: break;
+  case Category::combination:
+    return put_shape(described, target);
+  case Category::light:
+    return put_light(described, target);
+  case Category::camera:
+    return put_camera(described, target);
+  default:
+    break;
   }
   fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", noun.name), {},
-       noun.category == Category::material ? "keep it with `name = …`, or write it after `material:`" : "write it after `material:`, or as a material's `color`");
+       noun.category == Category::material ? "keep it with `name = …`, or write it after `material:`"
+                                           : "write it after `material:`, or as a material's `color`");
 }
 
 bool Evaluator::make(const Described& described, void* room) {
@@ -71,7 +78,8 @@ bool Evaluator::make(const Described& described, void* room) {
   }
   const std::optional<scene::Problem> problem = noun.maker.check(room);
   if (!problem) return true;
-  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message, {}, problem->advice);
+  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message, {},
+       problem->advice);
   return false;
 }
 
@@ -120,7 +128,8 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   if (noun.is_composite()) {
     if (described.thing) inside = content(*described.thing);
     if (!inside || inside->is_nothing) {
-      const bool is_open_end = noun.category == Category::combination && noun.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
+      const bool is_open_end = noun.category == Category::combination &&
+                               noun.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
       if (is_open_end) {
         fail("E0407", described.place, fmt::format("the block of this {} holds no solid", noun.name));
         return;
@@ -137,7 +146,8 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   if (!clothes->is_visible) return;
   const auto turn = builder_.turn(*clothes, described.chain);
   if (!turn) {
-    fail("E0406", described.place, "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
+    fail("E0406", described.place,
+         "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
     return;
   }
   if (inside && !inside->lights.empty()) put_lights_of(*inside, *clothes, described, target);
@@ -176,14 +186,17 @@ std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const 
 }
 
 // Every combination that was made since is said to be written here.
-void Evaluator::remember_places(Span place) { combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place); }
+void Evaluator::remember_places(Span place) {
+  combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place);
+}
 
 // A solid whose material lets light through and does not say how it bends it.
 void Evaluator::remark_medium(const Described& described, const Content* content, scene::ShapeRef made) {
   const Value* material = nullptr;
   const auto look = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
-      if ((p.id & parameter_bit) == 0 && described.noun->properties[p.id].common == Common::material) material = &p.value;
+      if ((p.id & parameter_bit) == 0 && described.noun->properties[p.id].common == Common::material)
+        material = &p.value;
     }
   };
   if (content) look(content->defaults);
@@ -205,23 +218,30 @@ bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
   const std::string_view open = builder_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.noun->name;
-  fail("E0401", described.place, is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
-                                           : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined", open, described.noun->name),
-       {}, "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of these");
+  fail("E0401", described.place,
+       is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
+                 : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined",
+                               open, described.noun->name),
+       {},
+       "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of "
+       "these");
   return false;
 }
 
 void Evaluator::put_lights_of(const Content& inside, const Dress& clothes, const Described& described, Target& target) {
   if (target.noun && target.noun->category == Category::combination) {
-    fail("E0402", described.place, fmt::format("there is a light in this {}, and light is no solid", described.noun->name));
+    fail("E0402", described.place,
+         fmt::format("there is a light in this {}, and light is no solid", described.noun->name));
     return;
   }
-  const bool is_placed = clothes.at != Vec3{} || clothes.rotate != Vec3{} || clothes.scale != Vec3{1, 1, 1} || (described.chain && !described.chain->steps.empty());
+  const bool is_placed = clothes.at != Vec3{} || clothes.rotate != Vec3{} || clothes.scale != Vec3{1, 1, 1} ||
+                         (described.chain && !described.chain->steps.empty());
   count_objects(inside.lights.size(), described.place);
   for (const scene::Light& light : inside.lights) {
     scene::Light& copy = target.lights->emplace_back(light);
     if (!is_placed) continue;
-    copy.enclosing.push_back({clothes.scale, clothes.rotate, clothes.at, described.chain ? described.chain->steps : std::vector<scene::Step>{}});
+    copy.enclosing.push_back({clothes.scale, clothes.rotate, clothes.at,
+                              described.chain ? described.chain->steps : std::vector<scene::Step>{}});
   }
 }
 

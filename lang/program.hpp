@@ -18,14 +18,15 @@ struct ModuleInfo;
 /// The tree of one text. A file that is included twice is two units: its names mean different things in each.
 struct Unit {
   Ast ast;
-  std::vector<std::pair<NodeId, Unit*>> includes;          ///< by the `include` node
-  std::vector<std::pair<NodeId, const ModuleInfo*>> uses;  ///< by the `use` node
+  std::vector<std::pair<NodeId, Unit*>> includes;         ///< by the `include` node
+  std::vector<std::pair<NodeId, const ModuleInfo*>> uses; ///< by the `use` node
 
   Unit* included(NodeId node) const { return find(includes, node); }
   const ModuleInfo* used(NodeId node) const { return find(uses, node); }
 
 private:
-  template <class T> static T* find(const std::vector<std::pair<NodeId, T*>>& list, NodeId node) {
+  template <class T>
+  static T* find(const std::vector<std::pair<NodeId, T*>>& list, NodeId node) {
     for (const auto& [id, target] : list) {
       if (id == node) return target;
     }
@@ -48,9 +49,9 @@ struct FunctionInfo {
   std::vector<Parameter> parameters;
   NodeId body = no_node;
   std::uint32_t frame_size = 0;
-  std::uint32_t use = NameUses::none;  ///< its number there, for the lint
-  bool is_at_top_level = false;        ///< of its file
-  const ModuleInfo* module = nullptr;  ///< the used file it stands in, null for the scene itself
+  std::uint32_t use = NameUses::none; ///< its number there, for the lint
+  bool is_at_top_level = false;       ///< of its file
+  const ModuleInfo* module = nullptr; ///< the used file it stands in, null for the scene itself
   mutable bool was_run = false;
 
   std::optional<std::size_t> find(Symbol parameter) const {
@@ -151,7 +152,11 @@ enum class Resolution : std::uint16_t {
 constexpr std::uint16_t pack(Resolution resolution, std::size_t depth) {
   return static_cast<std::uint16_t>(static_cast<unsigned>(resolution) << 12 | (depth & 0xfff));
 }
-constexpr Resolution resolution(const Node& name) { return static_cast<Resolution>(name.extra >> 12); }
-constexpr std::size_t frames_out(const Node& name) { return name.extra & 0xfff; }
+constexpr Resolution resolution(const Node& name) {
+  return static_cast<Resolution>(name.extra >> 12);
+}
+constexpr std::size_t frames_out(const Node& name) {
+  return name.extra & 0xfff;
+}
 
 } // namespace rt::lang

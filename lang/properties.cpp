@@ -4,8 +4,9 @@
 #include "lang/css_colors.hpp"
 #include "lang/thing.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace rt::lang {
 namespace {
@@ -23,7 +24,8 @@ Mistake wrong_type(const Property& property, const Value& value) {
       wanted += fmt::format("`{}`", property.choices[i]);
     }
   }
-  return {"E0301", fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)), "this is " + describe(value)};
+  return {"E0301", fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)),
+          "this is " + describe(value)};
 }
 
 std::string bounds_text(const scene::Constraint& c) {
@@ -43,7 +45,8 @@ Mistake out_of_bounds(const Property& property, const std::string& rule, double 
 std::optional<Mistake> check_number(const Property& property, double number) {
   const scene::Constraint& c = property.constraint;
   if (!std::isfinite(number)) {
-    return Mistake{"E0303", fmt::format("`{}` is not a finite number", property.name), "this is " + format_number(number)};
+    return Mistake{"E0303", fmt::format("`{}` is not a finite number", property.name),
+                   "this is " + format_number(number)};
   }
   const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
   const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
@@ -86,9 +89,12 @@ std::optional<Mistake> check_vector(const Property& property, const Value& value
 
 std::optional<Mistake> check_size(const Property& property, const Value& value) {
   Vec3 v{1, 1, 1};
-  if (value.is_number()) v = {value.number(), 1, 1};
-  else if (value.is_vector3()) v = value.vector();
-  else return no_vector(property, value);
+  if (value.is_number())
+    v = {value.number(), 1, 1};
+  else if (value.is_vector3())
+    v = value.vector();
+  else
+    return no_vector(property, value);
   if (auto mistake = check_numbers(property, v, value.is_number() ? 1 : 3)) return mistake;
   if (property.constraint.is_nonzero && v.x * v.y * v.z == 0) return must_not_be_zero(property, true);
   return std::nullopt;
@@ -98,8 +104,10 @@ std::optional<Mistake> check_color(const Property& property, const Value& value)
   const auto color = as_color(value);
   if (!color) {
     Mistake mistake = wrong_type(property, value);
-    if (value.is_vector3()) mistake.advice.push_back("three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`");
-    if (has_category(value, Category::material)) mistake.advice.push_back("a material has a colour of its own: `m.color`");
+    if (value.is_vector3())
+      mistake.advice.push_back("three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`");
+    if (has_category(value, Category::material))
+      mistake.advice.push_back("a material has a colour of its own: `m.color`");
     return mistake;
   }
   return check_numbers(property, {color->r, color->g, color->b}, 3);
@@ -143,7 +151,8 @@ std::optional<Mistake> check_points(const Property& property, const Value& value
   const auto count = static_cast<int>(std::min<std::size_t>(size, 1U << 30));
   const scene::Constraint& c = property.constraint;
   if (count >= c.min_count && count <= c.max_count) return std::nullopt;
-  return Mistake{"E0302", fmt::format("`{}` takes {} points", property.name, points_text(c)), fmt::format("this has {}", size)};
+  return Mistake{"E0302", fmt::format("`{}` takes {} points", property.name, points_text(c)),
+                 fmt::format("this has {}", size)};
 }
 
 std::optional<Mistake> check_choice(const Property& property, const Value& value) {
@@ -152,7 +161,8 @@ std::optional<Mistake> check_choice(const Property& property, const Value& value
     if (word == value.choice()) return std::nullopt;
   }
   Mistake mistake = wrong_type(property, value);
-  mistake.message = mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
+  mistake.message =
+      mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
   mistake.label.clear();
   return mistake;
 }
@@ -170,19 +180,32 @@ std::optional<Mistake> require(bool is_fine, const Property& property, const Val
 
 std::string_view describe(PropertyType type) {
   switch (type) {
-  case PropertyType::number: return "a number";
-  case PropertyType::boolean: return "true or false";
-  case PropertyType::vector: return "a vector of three numbers";
-  case PropertyType::size: return "a number or a vector of three";
-  case PropertyType::color: return "a colour, or a number as grey";
-  case PropertyType::paint: return "a colour, a number as grey, or a pattern";
-  case PropertyType::number_paint: return "a number, or a pattern of numbers";
-  case PropertyType::points: return "a list of points";
-  case PropertyType::choice: return "a word";
-  case PropertyType::fade: return "linear(d), quadratic(d) or inverse_square";
-  case PropertyType::resolution: return "two whole numbers, [width, height]";
-  case PropertyType::material: return "a material, a colour or a pattern";
-  case PropertyType::text: return "a string";
+  case PropertyType::number:
+    return "a number";
+  case PropertyType::boolean:
+    return "true or false";
+  case PropertyType::vector:
+    return "a vector of three numbers";
+  case PropertyType::size:
+    return "a number or a vector of three";
+  case PropertyType::color:
+    return "a colour, or a number as grey";
+  case PropertyType::paint:
+    return "a colour, a number as grey, or a pattern";
+  case PropertyType::number_paint:
+    return "a number, or a pattern of numbers";
+  case PropertyType::points:
+    return "a list of points";
+  case PropertyType::choice:
+    return "a word";
+  case PropertyType::fade:
+    return "linear(d), quadratic(d) or inverse_square";
+  case PropertyType::resolution:
+    return "two whole numbers, [width, height]";
+  case PropertyType::material:
+    return "a material, a colour or a pattern";
+  case PropertyType::text:
+    return "a string";
   }
   return "";
 }
@@ -195,18 +218,30 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
     if (auto mistake = check_number(property, value.number())) return mistake;
     if (property.constraint.is_nonzero && value.number() == 0) return out_of_bounds(property, "must not be 0", 0);
     return std::nullopt;
-  case PropertyType::boolean: return require(value.is(ValueKind::boolean), property, value);
-  case PropertyType::vector: return check_vector(property, value);
-  case PropertyType::size: return check_size(property, value);
-  case PropertyType::color: return check_color(property, value);
-  case PropertyType::paint: return is_pattern(value) ? std::nullopt : check_color(property, value);
-  case PropertyType::number_paint: return check_number_paint(property, value);
-  case PropertyType::points: return check_points(property, value);
-  case PropertyType::choice: return check_choice(property, value);
-  case PropertyType::fade: return require(value.is(ValueKind::fade) || value.is(ValueKind::none), property, value);
-  case PropertyType::resolution: return check_resolution(property, value);
-  case PropertyType::material: return require(is_material_like(value), property, value);
-  case PropertyType::text: return require(value.is(ValueKind::string), property, value);
+  case PropertyType::boolean:
+    return require(value.is(ValueKind::boolean), property, value);
+  case PropertyType::vector:
+    return check_vector(property, value);
+  case PropertyType::size:
+    return check_size(property, value);
+  case PropertyType::color:
+    return check_color(property, value);
+  case PropertyType::paint:
+    return is_pattern(value) ? std::nullopt : check_color(property, value);
+  case PropertyType::number_paint:
+    return check_number_paint(property, value);
+  case PropertyType::points:
+    return check_points(property, value);
+  case PropertyType::choice:
+    return check_choice(property, value);
+  case PropertyType::fade:
+    return require(value.is(ValueKind::fade) || value.is(ValueKind::none), property, value);
+  case PropertyType::resolution:
+    return check_resolution(property, value);
+  case PropertyType::material:
+    return require(is_material_like(value), property, value);
+  case PropertyType::text:
+    return require(value.is(ValueKind::string), property, value);
   }
   return std::nullopt;
 }
@@ -218,7 +253,9 @@ Value from_paint(const Property& property, const scene::Paint& paint) {
   return property.type == PropertyType::number_paint ? Value(color.r) : Value(color);
 }
 
-Value from_fade(const scene::Fade& fade) { return fade.law == scene::Fade::Law::none ? Value() : Value(fade); }
+Value from_fade(const scene::Fade& fade) {
+  return fade.law == scene::Fade::Law::none ? Value() : Value(fade);
+}
 
 std::optional<Value> to_value(const Property& property, const scene::FieldValue& value) {
   if (const double* number = std::get_if<double>(&value)) return Value(*number);
@@ -229,7 +266,8 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
   if (const scene::Choice* choice = std::get_if<scene::Choice>(&value))
     return Value::choice(property.choices[static_cast<std::size_t>(choice->index)]);
   if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
-  if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value)) return Value::point((*size)[0], (*size)[1]);
+  if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value))
+    return Value::point((*size)[0], (*size)[1]);
   return std::nullopt; // a list of points, which has no value of its own
 }
 
@@ -238,13 +276,18 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
 std::optional<Value> default_value(const Noun& noun, const Property& property) {
   switch (property.common) {
   case Common::at:
-  case Common::rotate: return Value(Vec3{});
-  case Common::scale: return Value(Vec3{1, 1, 1});
+  case Common::rotate:
+    return Value(Vec3{});
+  case Common::scale:
+    return Value(Vec3{1, 1, 1});
   case Common::visible:
-  case Common::casts_shadow: return Value::boolean(true);
+  case Common::casts_shadow:
+    return Value::boolean(true);
   case Common::material:
-  case Common::name: return std::nullopt;
-  case Common::none: break;
+  case Common::name:
+    return std::nullopt;
+  case Common::none:
+    break;
   }
   const auto read = [&](const void* owner) -> std::optional<Value> {
     const auto value = property.field->get(owner);
@@ -269,14 +312,17 @@ std::optional<Value> default_value(const Noun& noun, const Property& property) {
 std::optional<Color> as_color(const Value& value) {
   if (value.is(ValueKind::color)) return value.color();
   if (value.is_number()) return grey(value.number());
-  if (value.is(ValueKind::thing) && value.thing().css_color != Thing::no_color) return from_srgb8(value.thing().css_color);
+  if (value.is(ValueKind::thing) && value.thing().css_color != Thing::no_color)
+    return from_srgb8(value.thing().css_color);
   if (value.is(ValueKind::builtin)) { // `tan`
     if (const auto rgb = find_css_color(value.builtin()->name)) return from_srgb8(*rgb);
   }
   return std::nullopt;
 }
 
-bool is_pattern(const Value& value) { return has_category(value, Category::pattern); }
+bool is_pattern(const Value& value) {
+  return has_category(value, Category::pattern);
+}
 
 bool is_material_like(const Value& value) {
   return has_category(value, Category::material) || is_pattern(value) || value.is(ValueKind::record) ||

@@ -5,60 +5,83 @@
 #include "lang/lint.hpp"
 #include "lang/nouns.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 
 namespace rt::lang {
 namespace {
 
-constexpr std::array<std::string_view, 11> section_names = {"shapes",   "common", "chain",  "material", "library",
-                                                            "patterns", "lights", "camera", "scene",    "builtins", "lint"};
+constexpr std::array<std::string_view, 11> section_names = {
+    "shapes", "common", "chain", "material", "library", "patterns", "lights", "camera", "scene", "builtins", "lint"};
 
 std::string type_text(const Property& property) {
   switch (property.type) {
-  case PropertyType::number: return property.constraint.is_whole ? "whole number" : "number";
-  case PropertyType::boolean: return "true or false";
-  case PropertyType::vector: return "vector";
-  case PropertyType::size: return "vector or number";
-  case PropertyType::color: return "colour or number";
-  case PropertyType::paint: return "colour, number or pattern";
-  case PropertyType::number_paint: return "number or pattern";
-  case PropertyType::points: return "list of points";
-  case PropertyType::choice: return fmt::format("{}", fmt::join(property.choices, " or "));
-  case PropertyType::fade: return "fade";
-  case PropertyType::resolution: return "[width, height]";
-  case PropertyType::material: return "material, colour or pattern";
-  case PropertyType::text: return "string";
+  case PropertyType::number:
+    return property.constraint.is_whole ? "whole number" : "number";
+  case PropertyType::boolean:
+    return "true or false";
+  case PropertyType::vector:
+    return "vector";
+  case PropertyType::size:
+    return "vector or number";
+  case PropertyType::color:
+    return "colour or number";
+  case PropertyType::paint:
+    return "colour, number or pattern";
+  case PropertyType::number_paint:
+    return "number or pattern";
+  case PropertyType::points:
+    return "list of points";
+  case PropertyType::choice:
+    return fmt::format("{}", fmt::join(property.choices, " or "));
+  case PropertyType::fade:
+    return "fade";
+  case PropertyType::resolution:
+    return "[width, height]";
+  case PropertyType::material:
+    return "material, colour or pattern";
+  case PropertyType::text:
+    return "string";
   }
   return {};
 }
 
 PropertyEntry entry(const Property& property) {
-  return {property.name, type_text(property), std::string(property.default_text), std::string(property.help), property.form};
+  return {property.name, type_text(property), std::string(property.default_text), std::string(property.help),
+          property.form};
 }
 
 std::string_view section_of(Category category) {
   switch (category) {
   case Category::shape:
   case Category::group:
-  case Category::combination: return "shapes";
-  case Category::material: return "material";
-  case Category::pattern: return "patterns";
-  case Category::light: return "lights";
-  case Category::camera: return "camera";
-  case Category::scene: return "scene";
+  case Category::combination:
+    return "shapes";
+  case Category::material:
+    return "material";
+  case Category::pattern:
+    return "patterns";
+  case Category::light:
+    return "lights";
+  case Category::camera:
+    return "camera";
+  case Category::scene:
+    return "scene";
   }
   return {};
 }
 
 ReferenceEntry entry(const Noun& noun) {
   const bool is_scene = noun.category == Category::scene;
-  ReferenceEntry e{std::string(section_of(noun.category)), std::string(noun.name),
+  ReferenceEntry e{std::string(section_of(noun.category)),
+                   std::string(noun.name),
                    is_scene ? "name: value, at the top level" : fmt::format("{} {{ … }}", noun.name),
-                   std::string(noun.help), {}, {}};
+                   std::string(noun.help),
+                   {},
+                   {}};
   for (const Property& p : noun.properties) {
     const bool is_shared = noun.is_shape() && p.common != Common::none;
     (is_shared ? e.common_properties : e.properties).push_back(entry(p));
@@ -113,7 +136,9 @@ std::string noun_tables(std::span<const ReferenceEntry> entries) {
 
 } // namespace
 
-std::span<const std::string_view> reference_sections() { return section_names; }
+std::span<const std::string_view> reference_sections() {
+  return section_names;
+}
 
 std::vector<ReferenceEntry> reference() {
   std::vector<ReferenceEntry> entries;
@@ -124,14 +149,19 @@ std::vector<ReferenceEntry> reference() {
   common.properties = entry(nouns.group()).common_properties;
   entries.push_back(common);
   for (const ChainMethod& m : chain_methods())
-    entries.push_back({"chain", std::string(m.name), signature_text("thing.", m.name, m.signature), std::string(m.help), {}, {}});
+    entries.push_back(
+        {"chain", std::string(m.name), signature_text("thing.", m.name, m.signature), std::string(m.help), {}, {}});
   add_library(entries);
   for (const BuiltinGroup& group : builtin_groups())
     for (const Builtin& b : group.rows)
-      entries.push_back({"builtins", std::string(b.name), signature_text("", b.name, b.signature), std::string(b.help), {}, {}});
+      entries.push_back(
+          {"builtins", std::string(b.name), signature_text("", b.name, b.signature), std::string(b.help), {}, {}});
   for (const Constant& c : constants())
-    entries.push_back({"builtins", std::string(c.name), fmt::format("{} = {}", c.name, c.value_text), std::string(c.help), {}, {}});
-  const auto rank = [](const ReferenceEntry& e) { return std::ranges::find(section_names, e.section) - section_names.begin(); };
+    entries.push_back(
+        {"builtins", std::string(c.name), fmt::format("{} = {}", c.name, c.value_text), std::string(c.help), {}, {}});
+  const auto rank = [](const ReferenceEntry& e) {
+    return std::ranges::find(section_names, e.section) - section_names.begin();
+  };
   std::ranges::stable_sort(entries, {}, rank);
   return entries;
 }

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// Everything that has a name in the language, as data read from the tables that the checker and the evaluator use: what
-/// `rtlang doc`, the session's `:doc` and the tables of the reference show.
+/// Everything that has a name in the language, as data read from the tables that the checker and the evaluator use:
+/// what `rtlang doc`, the session's `:doc` and the tables of the reference show.
 namespace rt::lang {
 
 /// A property of a thing.
@@ -21,16 +21,16 @@ struct PropertyEntry {
 
 /// A noun, a function, a chain method, a constant or a ready-made material.
 struct ReferenceEntry {
-  std::string section;   ///< one of `reference_sections`
+  std::string section; ///< one of `reference_sections`
   std::string name;
-  std::string signature; ///< as it is written: "sphere { … }", "clamp(x: number, …)"
-  std::string help;      ///< one line
+  std::string signature;                        ///< as it is written: "sphere { … }", "clamp(x: number, …)"
+  std::string help;                             ///< one line
   std::vector<PropertyEntry> properties;        ///< of a noun: its own
   std::vector<PropertyEntry> common_properties; ///< of a shape: those that every shape has
 };
 
-/// The sections in the order of the reference: "shapes", "common", "chain", "material", "library", "patterns", "lights",
-/// "camera", "scene", "builtins", "lint".
+/// The sections in the order of the reference: "shapes", "common", "chain", "material", "library", "patterns",
+/// "lights", "camera", "scene", "builtins", "lint".
 std::span<const std::string_view> reference_sections();
 
 /// All entries, by section.

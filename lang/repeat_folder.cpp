@@ -21,8 +21,10 @@ bool is_declaration(Kind kind) {
   case Kind::param:
   case Kind::def:
   case Kind::fn:
-  case Kind::bind: return true;
-  default: return false;
+  case Kind::bind:
+    return true;
+  default:
+    return false;
   }
 }
 
@@ -47,8 +49,10 @@ bool is_plain(Kind kind) {
   case Kind::binary:
   case Kind::range:
   case Kind::block:
-  case Kind::argument: return true;
-  default: return false;
+  case Kind::argument:
+    return true;
+  default:
+    return false;
   }
 }
 
@@ -61,22 +65,32 @@ struct Fields {
 Fields fields_of(Kind kind) {
   switch (kind) {
   case Kind::number:
-  case Kind::color: return {Field::free, Field::free};
-  case Kind::numbers: return {Field::free, Field::same};
-  case Kind::string: return {Field::free, Field::same}; // compared by what it says
+  case Kind::color:
+    return {Field::free, Field::free};
+  case Kind::numbers:
+    return {Field::free, Field::same};
+  case Kind::string:
+    return {Field::free, Field::same}; // compared by what it says
   case Kind::list:
   case Kind::record:
   case Kind::block:
-  case Kind::call: return {Field::link, Field::same};
+  case Kind::call:
+    return {Field::link, Field::same};
   case Kind::property:
-  case Kind::argument: return {Field::same, Field::node};
-  case Kind::member: return {Field::node, Field::same};
-  case Kind::range: return {Field::node, Field::link};
-  case Kind::unary: return {Field::node, Field::same};
+  case Kind::argument:
+    return {Field::same, Field::node};
+  case Kind::member:
+    return {Field::node, Field::same};
+  case Kind::range:
+    return {Field::node, Field::link};
+  case Kind::unary:
+    return {Field::node, Field::same};
   case Kind::index:
   case Kind::override_:
-  case Kind::binary: return {Field::node, Field::node};
-  default: return {Field::same, Field::same};
+  case Kind::binary:
+    return {Field::node, Field::node};
+  default:
+    return {Field::same, Field::same};
   }
 }
 
@@ -111,10 +125,14 @@ bool RepeatFolder::has_wording_of(const Model& item, const Model& model) const {
   const std::uint32_t link_shift = item.first_link - model.first_link;
   const auto agree = [&](Field field, std::uint32_t x, std::uint32_t y) {
     switch (field) {
-    case Field::same: return x == y;
-    case Field::node: return x - node_shift == y;
-    case Field::link: return x - link_shift == y;
-    case Field::free: break;
+    case Field::same:
+      return x == y;
+    case Field::node:
+      return x - node_shift == y;
+    case Field::link:
+      return x - link_shift == y;
+    case Field::free:
+      break;
     }
     return true;
   };

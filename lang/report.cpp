@@ -2,8 +2,9 @@
 
 #include "lang/tokens.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -80,7 +81,8 @@ Diagnostic* Report::add(Severity severity, std::string_view code, Span span) {
   }
   span = place(span);
   const auto overlaps = [&](const Span& other) {
-    return other.file == span.file && other.begin < std::max(span.end, span.begin + 1) && span.begin < std::max(other.end, other.begin + 1);
+    return other.file == span.file && other.begin < std::max(span.end, span.begin + 1) &&
+           span.begin < std::max(other.end, other.begin + 1);
   };
   if (severity == Severity::error && std::ranges::any_of(malformed_, overlaps)) return nullptr;
   if (!known_.emplace(span.file, span.begin, span.end, std::string(code)).second) return nullptr;
@@ -123,10 +125,14 @@ std::vector<Diagnostic> sorted(std::vector<Diagnostic> diagnostics) {
 
 std::vector<Diagnostic> Report::finish() {
   std::vector<Diagnostic> all = sorted(std::move(diagnostics_));
-  if (is_cut_) all.back().notes.push_back({std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
+  if (is_cut_)
+    all.back().notes.push_back(
+        {std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
   return all;
 }
 
-std::vector<Diagnostic> Report::finish_remarks() { return sorted(std::move(remarks_)); }
+std::vector<Diagnostic> Report::finish_remarks() {
+  return sorted(std::move(remarks_));
+}
 
 } // namespace rt::lang

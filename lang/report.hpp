@@ -18,15 +18,15 @@ class Report {
 public:
   static constexpr std::size_t most = 1'000;
 
-  /// The diagnostic to be filled in, valid until the next call; null where this code was reported here already, or where
-  /// there are too many.
+  /// The diagnostic to be filled in, valid until the next call; null where this code was reported here already, or
+  /// where there are too many.
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
   /// From now on `remark` takes what the lint has to say; it is kept apart.
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }
-  /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a model
-  /// stands for, the first one's place is told and no other's.
+  /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a
+  /// model stands for, the first one's place is told and no other's.
   Diagnostic* remark(std::string_view code, Span span);
   /// All remarks, in the order of their places in each file.
   std::vector<Diagnostic> finish_remarks();
@@ -56,8 +56,8 @@ private:
   const StandIn* stand_in_ = nullptr;
 };
 
-/// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a place
-/// in the model is said about the same words of the item.
+/// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a
+/// place in the model is said about the same words of the item.
 class StandIn {
 public:
   StandIn(Report& report, const SourceMap& sources, Span model)

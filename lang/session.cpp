@@ -8,13 +8,13 @@
 #include "lang/session_submission.hpp"
 #include "lang/session_text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace rt::lang {
 
@@ -64,7 +64,7 @@ struct Session::State {
   SessionCore core;
   SessionScene scene;
   std::vector<SessionVersion> versions;
-  std::vector<Kept> documents;      // by version
+  std::vector<Kept> documents;     // by version
   std::vector<std::size_t> undone; // versions that redo leads to, the next one last
   std::size_t current = 0;
 };
@@ -137,7 +137,9 @@ namespace {
 
 constexpr const char* how_to_name = "a thing has a name when it is bound with `=`, or by its property `name`";
 
-std::string line_of(const Statement& statement) { return fmt::format("`{}`", shortened(statement.text)); }
+std::string line_of(const Statement& statement) {
+  return fmt::format("`{}`", shortened(statement.text));
+}
 
 } // namespace
 
@@ -164,8 +166,10 @@ SessionResult Session::set(std::string_view target, std::string_view value) {
   const std::string item = edited->substr(whole.begin, old_item.size() + edited->size() - source.size());
   std::string text = statement.text;
   const std::size_t place = text.find(old_item);
-  if (place == std::string::npos) text = item;
-  else text.replace(place, old_item.size(), item);
+  if (place == std::string::npos)
+    text = item;
+  else
+    text.replace(place, old_item.size(), item);
   const std::string before = shortened(text);
   SessionChange::Draft draft = change.parse_again(statement, text);
   if (!draft) return failed(core);
@@ -219,17 +223,27 @@ bool Session::go_to(std::size_t version) {
   return true;
 }
 
-std::size_t Session::version() const { return state_->current; }
-const std::vector<SessionVersion>& Session::versions() const { return state_->versions; }
-std::string Session::folder() const { return state_->core.files.folder(); }
+std::size_t Session::version() const {
+  return state_->current;
+}
+const std::vector<SessionVersion>& Session::versions() const {
+  return state_->versions;
+}
+std::string Session::folder() const {
+  return state_->core.files.folder();
+}
 bool Session::includes_files() const {
   const Document& document = state_->document();
   return std::any_of(document.begin(), document.end(), [](const StatementRef& statement) {
     return statement->kind == Kind::use || statement->kind == Kind::include;
   });
 }
-bool Session::is_empty() const { return state_->document().empty(); }
-std::string Session::text(std::size_t version) const { return join_lines(*state_->documents[version].document); }
+bool Session::is_empty() const {
+  return state_->document().empty();
+}
+std::string Session::text(std::size_t version) const {
+  return join_lines(*state_->documents[version].document);
+}
 
 std::string Session::formatted() const {
   SourceMap sources;
@@ -255,16 +269,25 @@ std::string Session::diff(std::size_t from, std::size_t to) const {
   };
   std::size_t i = 0, j = 0;
   while (i < before.size() || j < after.size()) {
-    if (i < before.size() && !texts_after.contains(before[i]->text)) put('-', before[i++]->text);
-    else if (j < after.size() && !texts_before.contains(after[j]->text)) put('+', after[j++]->text);
-    else i += i < before.size(), j += j < after.size();
+    if (i < before.size() && !texts_after.contains(before[i]->text))
+      put('-', before[i++]->text);
+    else if (j < after.size() && !texts_before.contains(after[j]->text))
+      put('+', after[j++]->text);
+    else
+      i += i < before.size(), j += j < after.size();
   }
   return out;
 }
 
-const scene::Scene& Session::scene() { return state_->scene.scene(); }
-const std::vector<Diagnostic>& Session::assumptions() { return state_->scene.assumptions(); }
-std::vector<SceneStretch> Session::stretches() { return state_->scene.stretches(); }
+const scene::Scene& Session::scene() {
+  return state_->scene.scene();
+}
+const std::vector<Diagnostic>& Session::assumptions() {
+  return state_->scene.assumptions();
+}
+std::vector<SceneStretch> Session::stretches() {
+  return state_->scene.stretches();
+}
 
 std::vector<ListedObject> Session::objects() {
   return list_objects(state_->document(), state_->scene.scene(), state_->core.program);
@@ -328,14 +351,21 @@ std::vector<std::string> Session::properties_of(std::string_view name) const {
       def = value.is(ValueKind::thing) ? value.thing().def : nullptr;
     }
     if (def)
-      for (const FunctionInfo::Parameter& parameter : def->parameters) words.emplace_back(program.symbols.name(parameter.name));
+      for (const FunctionInfo::Parameter& parameter : def->parameters)
+        words.emplace_back(program.symbols.name(parameter.name));
   }
   std::sort(words.begin(), words.end());
   return words;
 }
 
-const Program& Session::program() const { return state_->core.program; }
-const SourceMap& Session::sources() const { return state_->core.program.sources; }
-const SessionCounters& Session::counters() const { return state_->core.counters; }
+const Program& Session::program() const {
+  return state_->core.program;
+}
+const SourceMap& Session::sources() const {
+  return state_->core.program.sources;
+}
+const SessionCounters& Session::counters() const {
+  return state_->core.counters;
+}
 
 } // namespace rt::lang

@@ -103,8 +103,8 @@ public:
   std::string folder() const;
   bool includes_files() const;
 
-  /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change. Its tables
-  /// (shapes, materials, …) also hold what stands nowhere any more: they only grow.
+  /// The scene that the document says, with the defaults that were assumed. Stays valid until the next change. Its
+  /// tables (shapes, materials, …) also hold what stands nowhere any more: they only grow.
   const scene::Scene& scene();
   /// Its objects cut into stretches, none of which is very short; those that hold what they held before have the same
   /// stamp. What is in none of them are few objects.

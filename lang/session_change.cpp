@@ -6,24 +6,30 @@
 #include "lang/session_text.hpp"
 #include "lang/sort_unique.hpp"
 
-#include <algorithm>
-#include <set>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
 
 namespace rt::lang {
 namespace {
 
 Symbol key_of(const Ast& ast, NodeId node) {
   switch (ast.kind(node)) {
-  case Kind::bind: return ast.symbol(ast.bind_item(node).name);
+  case Kind::bind:
+    return ast.symbol(ast.bind_item(node).name);
   case Kind::def:
-  case Kind::fn: return ast.symbol(ast.function(node).name);
-  case Kind::use: return ast.symbol(ast.use_item(node).name);
-  case Kind::param: return ast.symbol(ast.param_item(node).name);
-  case Kind::property: return ast.named(node).symbol;
-  default: return no_symbol;
+  case Kind::fn:
+    return ast.symbol(ast.function(node).name);
+  case Kind::use:
+    return ast.symbol(ast.use_item(node).name);
+  case Kind::param:
+    return ast.symbol(ast.param_item(node).name);
+  case Kind::property:
+    return ast.named(node).symbol;
+  default:
+    return no_symbol;
   }
 }
 
@@ -136,11 +142,17 @@ SessionChange::Draft SessionChange::parse_again(const Statement& old, std::strin
   return draft;
 }
 
-SessionChange::Draft SessionChange::redraft(const Statement& old) { return parse_again(old, old.text); }
+SessionChange::Draft SessionChange::redraft(const Statement& old) {
+  return parse_again(old, old.text);
+}
 
-void SessionChange::append(Draft draft) { entries_.push_back({.fresh = std::move(draft)}); }
+void SessionChange::append(Draft draft) {
+  entries_.push_back({.fresh = std::move(draft)});
+}
 
-void SessionChange::clear() { entries_.clear(); }
+void SessionChange::clear() {
+  entries_.clear();
+}
 
 std::optional<std::size_t> SessionChange::find(Symbol name) const {
   for (std::size_t i = entries_.size(); i-- > 0;) {
@@ -225,9 +237,11 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
   std::vector<Entry> before(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(at)), moved;
   for (std::size_t i = at + 1; i <= needed; ++i) {
     const Statement& statement = entries_[i].get();
-    const bool moves = std::any_of(statement.uses.begin(), statement.uses.end(), [&](Symbol s) { return moved_names.contains(s); });
+    const bool moves =
+        std::any_of(statement.uses.begin(), statement.uses.end(), [&](Symbol s) { return moved_names.contains(s); });
     if (moves && statement.declares() && std::binary_search(symbols.begin(), symbols.end(), statement.key)) {
-      const std::string_view name = core_.program.symbols.name(draft->key), other = core_.program.symbols.name(statement.key);
+      const std::string_view name = core_.program.symbols.name(draft->key),
+                             other = core_.program.symbols.name(statement.key);
       if (Diagnostic* d = core_.report.error("E0203", draft->unit->ast.span(draft->nodes.front()))) {
         d->message = fmt::format("`{}` would need itself: `{}` is made of it", name, other);
         d->label = fmt::format("this uses `{}`", other);
@@ -251,7 +265,8 @@ void SessionChange::erase(std::size_t at) {
 void SessionChange::mark_changed(const Statement& statement, std::size_t position) {
   const auto mark = [&](Symbol name, bool is_function) {
     changed_bits_ |= symbol_bit(name);
-    const auto [found, is_new] = changed_.try_emplace(static_cast<std::uint32_t>(name), ChangedName{is_function, position});
+    const auto [found, is_new] =
+        changed_.try_emplace(static_cast<std::uint32_t>(name), ChangedName{is_function, position});
     found->second.is_function |= is_function;
     found->second.position = std::min(found->second.position, position);
   };

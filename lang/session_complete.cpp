@@ -24,11 +24,11 @@ struct Open {
 
 // Where the cursor stands, as far as the text before it tells.
 struct Place {
-  std::size_t begin = 0;            // of the word that is being typed
-  std::string_view before;          // the token before that word; empty at the beginning of a line
-  std::string_view property;        // whose value is being typed
+  std::size_t begin = 0;     // of the word that is being typed
+  std::string_view before;   // the token before that word; empty at the beginning of a line
+  std::string_view property; // whose value is being typed
   std::vector<Open> open;
-  bool is_text = false;             // in a string or a comment, or in a number
+  bool is_text = false; // in a string or a comment, or in a number
 };
 
 class Scanner {
@@ -52,12 +52,19 @@ private:
   // The token that the cursor touches: a word is what is being completed, the inside of a text takes no words.
   bool ends_place(const Token& token) {
     switch (token.kind) {
-    case TokenKind::name: place_.begin = token.begin; return true;
+    case TokenKind::name:
+      place_.begin = token.begin;
+      return true;
     case TokenKind::line_comment:
     case TokenKind::number:
-    case TokenKind::color: place_.is_text = true; return true;
-    case TokenKind::string: place_.is_text = token.end - token.begin < 2 || text_.back() != '"'; return place_.is_text;
-    default: return false;
+    case TokenKind::color:
+      place_.is_text = true;
+      return true;
+    case TokenKind::string:
+      place_.is_text = token.end - token.begin < 2 || text_.back() != '"';
+      return place_.is_text;
+    default:
+      return false;
     }
   }
 
@@ -71,8 +78,11 @@ private:
       first_ = {};
       return;
     case TokenKind::line_comment:
-    case TokenKind::block_comment: return;
-    case TokenKind::open: open(word.front()); break;
+    case TokenKind::block_comment:
+      return;
+    case TokenKind::open:
+      open(word.front());
+      break;
     case TokenKind::close:
       if (!place_.open.empty()) place_.open.pop_back();
       break;
@@ -83,7 +93,8 @@ private:
     case TokenKind::symbol:
       if (word == ":") place_.property = last_name_;
       break;
-    default: break;
+    default:
+      break;
     }
     place_.before = word;
   }
@@ -92,9 +103,12 @@ private:
     Open opened{bracket, {}, false};
     if (bracket == '{') {
       const bool is_body = first_ == "for" || first_ == "if" || first_ == "else" || place_.before == "else";
-      if (first_ == "def") opened = {bracket, "group", true};
-      else if (is_body) opened = place_.open.empty() ? Open{bracket, {}, true} : Open{bracket, place_.open.back().owner, true};
-      else if (place_.before == last_name_) opened.owner = last_name_;
+      if (first_ == "def")
+        opened = {bracket, "group", true};
+      else if (is_body)
+        opened = place_.open.empty() ? Open{bracket, {}, true} : Open{bracket, place_.open.back().owner, true};
+      else if (place_.before == last_name_)
+        opened.owner = last_name_;
     }
     place_.open.push_back(opened);
     place_.property = {};
@@ -152,8 +166,10 @@ private:
   void add_item(const Place& place) {
     if (!begins_item(place)) return add_expression(place);
     const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
-    if (!owner.empty()) add_all(session_.properties_of(owner));
-    else if (place.open.empty()) add_scene_properties();
+    if (!owner.empty())
+      add_all(session_.properties_of(owner));
+    else if (place.open.empty())
+      add_scene_properties();
     const Noun* noun = nouns_.find(owner);
     const bool holds_things = owner.empty() || !noun || noun->is_composite() || place.open.back().holds_statements;
     if (!holds_things) return;
@@ -196,8 +212,11 @@ private:
         if (noun.category == Category::pattern || noun.category == Category::material) add(noun.name);
       add_colors();
       break;
-    case PropertyType::color: add_colors(); break;
-    default: break;
+    case PropertyType::color:
+      add_colors();
+      break;
+    default:
+      break;
     }
   }
 

@@ -15,8 +15,8 @@ struct SessionCompletion {
   std::vector<std::string> words;
 };
 
-/// What may stand at the cursor of a text that is being typed: properties of the thing whose block it is in, values that a
-/// property takes, keywords, nouns, functions, colours, and the session's names.
+/// What may stand at the cursor of a text that is being typed: properties of the thing whose block it is in, values
+/// that a property takes, keywords, nouns, functions, colours, and the session's names.
 SessionCompletion complete(const Session& session, std::string_view text, std::size_t cursor);
 
 /// All words that have an entry in the reference.

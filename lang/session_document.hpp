@@ -22,10 +22,12 @@ enum Trait : std::uint8_t {
 std::uint8_t traits_of(const Statement& statement);
 
 /// Stands for a symbol in a set of symbols that may seem to hold more than it does.
-constexpr std::uint64_t symbol_bit(Symbol symbol) { return std::uint64_t{1} << (static_cast<std::uint32_t>(symbol) % 64); }
+constexpr std::uint64_t symbol_bit(Symbol symbol) {
+  return std::uint64_t{1} << (static_cast<std::uint32_t>(symbol) % 64);
+}
 
-/// A session's statements in order. Documents that differ little share most of their chunks, so that a further version of
-/// a long one costs little; and what is asked on every change stands in a row, apart from the statements.
+/// A session's statements in order. Documents that differ little share most of their chunks, so that a further version
+/// of a long one costs little; and what is asked on every change stands in a row, apart from the statements.
 class Document {
 public:
   struct Chunk {

@@ -1,12 +1,11 @@
-#include "lang/session_change.hpp"
-
 #include "lang/deep_stack.hpp"
+#include "lang/session_change.hpp"
 #include "lang/session_text.hpp"
 #include "lang/sort_unique.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 // The end of a change: what is fresh is checked and evaluated, and a new document put together.
 namespace rt::lang {
@@ -150,7 +149,8 @@ void SessionChange::take_out_printed() {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
     const Value& value = *entry.fresh->made.printed;
     if (value.is_poison()) return true;
-    values.push_back({value.is(ValueKind::vector) ? readable(value) : format(value, core_.program.symbols), as_color(value)});
+    values.push_back(
+        {value.is(ValueKind::vector) ? readable(value) : format(value, core_.program.symbols), as_color(value)});
     if (value.is(ValueKind::number)) values.back().color.reset();
     return true;
   });

@@ -4,10 +4,10 @@
 #include "lang/hashing.hpp"
 #include "lang/session_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
-
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
@@ -21,7 +21,9 @@ void for_each_with(const Document& document, int traits, F&& f) {
   }
 }
 
-std::string text(const Vec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
+std::string text(const Vec3& v) {
+  return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z);
+}
 
 } // namespace
 
@@ -32,8 +34,10 @@ void SessionScene::show(const Document& document) {
   for (const auto& chunk : document.chunks()) {
     for (std::size_t i = 0; i < chunk->statements.size(); ++i) {
       if ((chunk->traits[i] & trait_objects) == 0) continue;
-      if (further.empty() && kept < placed_.size() && placed_[kept].stamp == chunk->stamps[i]) ++kept;
-      else further.push_back(chunk->statements[i].get());
+      if (further.empty() && kept < placed_.size() && placed_[kept].stamp == chunk->stamps[i])
+        ++kept;
+      else
+        further.push_back(chunk->statements[i].get());
     }
   }
   placed_.resize(kept);
@@ -97,9 +101,9 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
 
 namespace {
 
-// Cuts what statements placed into stretches. Where one ends depends on what is in it alone, so that it is found again when
-// something else has changed: ends are sought once there are enough objects, and come by often enough. What is left behind
-// the last end is cut into shorter ones, so that little is outside of all of them.
+// Cuts what statements placed into stretches. Where one ends depends on what is in it alone, so that it is found again
+// when something else has changed: ends are sought once there are enough objects, and come by often enough. What is
+// left behind the last end is cut into shorter ones, so that little is outside of all of them.
 class Cutter {
 public:
   template <class Placed>
@@ -168,13 +172,17 @@ private:
     const NodeId base = innermost(ast, statement.nodes.front());
     if (ast.kind(base) != Kind::name) return;
     const std::string_view word = program_.symbols.name(ast.symbol(base));
-    if (resolution(ast[base]) == Resolution::function) kind_ = word;
-    else if (resolution(ast[base]) == Resolution::local) name_ = word;
+    if (resolution(ast[base]) == Resolution::function)
+      kind_ = word;
+    else if (resolution(ast[base]) == Resolution::local)
+      name_ = word;
   }
 
   void add(const scene::Object& object) {
-    const std::string_view own = object.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(object.name)];
-    const std::string_view noun = scene_.shapes.visit(object.shape, []<class S>(const S&) -> std::string_view { return S::noun; });
+    const std::string_view own =
+        object.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(object.name)];
+    const std::string_view noun =
+        scene_.shapes.visit(object.shape, []<class S>(const S&) -> std::string_view { return S::noun; });
     const Box3 box = scene::bounds(scene_, object);
     const bool hides = !object.is_visible;
     put(own, kind_.empty() ? noun : kind_,
@@ -182,10 +190,15 @@ private:
   }
 
   void add(const scene::Light& light) {
-    const std::string_view own = light.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(light.name)];
+    const std::string_view own =
+        light.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(light.name)];
     struct Describe {
-      std::pair<std::string_view, std::string> operator()(const scene::PointLight& l) const { return {"light", "at " + text(l.at)}; }
-      std::pair<std::string_view, std::string> operator()(const scene::SunLight& l) const { return {"sun", "along " + text(l.direction)}; }
+      std::pair<std::string_view, std::string> operator()(const scene::PointLight& l) const {
+        return {"light", "at " + text(l.at)};
+      }
+      std::pair<std::string_view, std::string> operator()(const scene::SunLight& l) const {
+        return {"sun", "along " + text(l.direction)};
+      }
       std::pair<std::string_view, std::string> operator()(const scene::SpotLight& l) const {
         return {"spot", fmt::format("{} to {}", text(l.at), text(l.look_at))};
       }
@@ -197,8 +210,10 @@ private:
   void put(std::string_view name, std::string_view kind, std::string place) {
     const bool is_alike = !is_first_ && !found.empty() && found.back().kind == kind && found.back().name == name;
     is_first_ = false;
-    if (is_alike) ++found.back().count;
-    else found.push_back({std::string(name), std::string(kind), std::move(place), 1});
+    if (is_alike)
+      ++found.back().count;
+    else
+      found.push_back({std::string(name), std::string(kind), std::move(place), 1});
   }
 
   const scene::Scene& scene_;

@@ -3,10 +3,10 @@
 #include "lang/session_text.hpp"
 #include "lang/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {

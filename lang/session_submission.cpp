@@ -2,11 +2,11 @@
 
 #include "lang/session_text.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
@@ -35,8 +35,10 @@ void Submission::take(const SessionChange::Draft& draft) {
   if (draft->is_comment()) return change_.append(draft);
   const Ast& ast = draft->unit->ast;
   const NodeId item = draft->nodes.front();
-  const bool is_thing = draft->kind == Kind::bind || (!draft->declares() && draft->kind != Kind::property && draft->kind != Kind::include);
-  if (is_thing && draft->kind != Kind::bind && draft->kind != Kind::for_ && draft->kind != Kind::if_ && edits_previous(ast, item))
+  const bool is_thing = draft->kind == Kind::bind ||
+                        (!draft->declares() && draft->kind != Kind::property && draft->kind != Kind::include);
+  if (is_thing && draft->kind != Kind::bind && draft->kind != Kind::for_ && draft->kind != Kind::if_ &&
+      edits_previous(ast, item))
     return edit(draft, item);
   if (draft->kind == Kind::bind) {
     if (const SessionChange::Draft rewritten = without_itself(draft)) {
@@ -76,8 +78,10 @@ void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
       change_.parse(text + (has_comment ? "\n" : "") + std::string(added.substr(added.find('.'))), origin, true);
   if (made.size() != 1) return;
   change_.changes.push_back("now: " + shortened(made.front()->text));
-  if (is_last_of_many) change_.append(made.front());
-  else change_.replace(*at, made.front());
+  if (is_last_of_many)
+    change_.append(made.front());
+  else
+    change_.replace(*at, made.front());
   last_id_ = made.front()->id;
 }
 

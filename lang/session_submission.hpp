@@ -11,7 +11,8 @@ namespace rt::lang {
 class Submission {
 public:
   /// `last_id`: of the statement that a line beginning with `.` edits.
-  Submission(SessionCore& core, SessionChange& change, std::uint64_t last_id) : core_(core), change_(change), last_id_(last_id) {}
+  Submission(SessionCore& core, SessionChange& change, std::uint64_t last_id)
+      : core_(core), change_(change), last_id_(last_id) {}
 
   /// What is wrong with the text is in the report.
   void run(std::string_view text);

@@ -7,7 +7,9 @@
 namespace rt::lang {
 namespace {
 
-bool is_comment(TokenKind kind) { return kind == TokenKind::line_comment || kind == TokenKind::block_comment; }
+bool is_comment(TokenKind kind) {
+  return kind == TokenKind::line_comment || kind == TokenKind::block_comment;
+}
 
 /// Where an item's text ends: behind it, or behind the comment that follows it on its line.
 struct ItemEnd {
@@ -84,8 +86,10 @@ public:
   std::string run(std::size_t longest) {
     for (Token token = next_token(text_, 0); token.kind != TokenKind::end; token = next_token(text_, token.end)) {
       if (is_comment(token.kind)) continue;
-      if (token.kind == TokenKind::newline) had_newline_ = true;
-      else take(token);
+      if (token.kind == TokenKind::newline)
+        had_newline_ = true;
+      else
+        take(token);
       if (line_.size() > longest) break;
     }
     return std::move(line_);
@@ -106,7 +110,8 @@ private:
 
   // Whether the line break before the token separates.
   bool separates(Token token, std::string_view word) const {
-    const bool goes_on = last_ == TokenKind::end || last_ == TokenKind::open || last_ == TokenKind::symbol || last_ == TokenKind::separator;
+    const bool goes_on = last_ == TokenKind::end || last_ == TokenKind::open || last_ == TokenKind::symbol ||
+                         last_ == TokenKind::separator;
     if (goes_on || token.kind == TokenKind::close || token.kind == TokenKind::separator || word == ".") return false;
     if (open_.empty()) return true;
     const bool is_clause = open_.back() == '[' && (word == "for" || word == "if");
@@ -134,17 +139,30 @@ std::string shortened(std::string_view text) {
 NodeId innermost(const Ast& ast, NodeId node) {
   while (true) {
     switch (ast.kind(node)) {
-    case Kind::call: node = ast.call(node).callee; break;
-    case Kind::member: node = ast.member(node).base; break;
-    case Kind::override_: node = ast.override_(node).base; break;
-    case Kind::index: node = ast.index(node).base; break;
-    case Kind::binary: node = ast.left(node); break;
-    default: return node;
+    case Kind::call:
+      node = ast.call(node).callee;
+      break;
+    case Kind::member:
+      node = ast.member(node).base;
+      break;
+    case Kind::override_:
+      node = ast.override_(node).base;
+      break;
+    case Kind::index:
+      node = ast.index(node).base;
+      break;
+    case Kind::binary:
+      node = ast.left(node);
+      break;
+    default:
+      return node;
     }
   }
 }
 
-bool edits_previous(const Ast& ast, NodeId item) { return ast.kind(innermost(ast, item)) == Kind::previous; }
+bool edits_previous(const Ast& ast, NodeId item) {
+  return ast.kind(innermost(ast, item)) == Kind::previous;
+}
 
 namespace {
 
@@ -169,7 +187,8 @@ std::string with_new_line(std::string_view text, const Node& block, const std::s
   const std::size_t line = inside.find('\n') + 1;
   const std::string indent(first == std::string_view::npos ? "  " : inside.substr(line, first - line));
   const std::string_view before = without_blanks_at_end(text.substr(0, brace));
-  return std::string(before) + "\n" + indent + property + "\n" + std::string(text.substr(block.begin + 1 + newline + 1));
+  return std::string(before) + "\n" + indent + property + "\n" +
+         std::string(text.substr(block.begin + 1 + newline + 1));
 }
 
 } // namespace
@@ -193,7 +212,8 @@ std::optional<std::string> with_property(std::string_view text, const Ast& ast, 
   const Node& whole = ast[node];
   std::string thing(text.substr(whole.begin, whole.end - whole.begin));
   if (kind == Kind::binary) thing = "(" + thing + ")";
-  return std::string(text.substr(0, whole.begin)) + thing + " { " + written + " }" + std::string(text.substr(whole.end));
+  return std::string(text.substr(0, whole.begin)) + thing + " { " + written + " }" +
+         std::string(text.substr(whole.end));
 }
 
 std::string with_name_replaced(std::string_view text, const Ast& ast, NodeId node, Symbol symbol,

@@ -29,8 +29,8 @@ bool edits_previous(const Ast& ast, NodeId item);
 /// The innermost part of an expression's chain of calls, members, overrides and indices: what it is a copy of.
 NodeId innermost(const Ast& ast, NodeId node);
 
-/// `text` with a property written into the thing at `node` of its tree, in the place of an earlier value or as a further
-/// line. Nothing where the expression is nothing that a block can follow.
+/// `text` with a property written into the thing at `node` of its tree, in the place of an earlier value or as a
+/// further line. Nothing where the expression is nothing that a block can follow.
 std::optional<std::string> with_property(std::string_view text, const Ast& ast, NodeId node, Symbol property,
                                          std::string_view property_name, std::string_view value);
 

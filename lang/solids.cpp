@@ -1,6 +1,7 @@
 #include "lang/evaluator.hpp"
 
 #include <fmt/format.h>
+
 #include <map>
 
 namespace rt::lang {
@@ -27,7 +28,8 @@ Value Evaluator::combine(Op op, Value left, Value right, NodeId node, const Cont
   target.lights = &thing->content->lights;
   target.noun = &noun;
   target.owner = thing->span;
-  const bool goes_on = left.is(ValueKind::thing) && left.thing().noun == &noun && left.thing().properties.empty() && !left.thing().chain && left.thing().content;
+  const bool goes_on = left.is(ValueKind::thing) && left.thing().noun == &noun && left.thing().properties.empty() &&
+                       !left.thing().chain && left.thing().content;
   if (goes_on) {
     Content& old = *left.thing().content;
     const bool is_last_use = left.cell()->references == 1 && old.references == 1 && !old.shape;
@@ -45,8 +47,10 @@ Value Evaluator::combine(Op op, Value left, Value right, NodeId node, const Cont
 void Evaluator::begin_with_operands(const Content& old, bool has_members, Content& content, Target& target) {
   Content members;
   begin_with(old, *target.noun, members, target);
-  if (has_members) target.things = static_cast<std::uint32_t>(content.members.size()) + (old.is_cut ? 1U : 0U);
-  else content.members = std::move(members.members);
+  if (has_members)
+    target.things = static_cast<std::uint32_t>(content.members.size()) + (old.is_cut ? 1U : 0U);
+  else
+    content.members = std::move(members.members);
 }
 
 void Evaluator::add_operand(const Value& value, Span place, Target& target) {

@@ -26,8 +26,8 @@ struct Position {
 
 /// One text that was read: a scene file, an included file, standard input, a line typed into a session.
 struct SourceFile {
-  std::string name;  ///< as shown in diagnostics
-  std::string path;  ///< canonical, empty where there is none; what relative includes start from
+  std::string name; ///< as shown in diagnostics
+  std::string path; ///< canonical, empty where there is none; what relative includes start from
   std::string text;
   std::vector<std::uint32_t> line_starts; ///< byte offset of each line's first character
   /// Where `include` or `use` named this file; file == own index for the first one.

@@ -45,7 +45,9 @@ std::string folded(std::string_view word) {
 }
 
 // About a third of a word may be wrong; in one or two letters any slip makes another word.
-int allowed_slips(std::size_t length) { return length < 3 ? 0 : std::clamp(static_cast<int>(length) / 3, 1, 3); }
+int allowed_slips(std::size_t length) {
+  return length < 3 ? 0 : std::clamp(static_cast<int>(length) / 3, 1, 3);
+}
 
 // How far a candidate is, or nothing where it is too far. Case and underscores are no slips, and a word that was cut
 // short (`rad`) or two swapped letters (`ta`) are as near as one slip.

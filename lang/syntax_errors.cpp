@@ -36,20 +36,31 @@ public:
   Diagnostic diagnostic() const {
     if (auto likely = by_what_is_found()) return *std::move(likely);
     switch (expected_) {
-    case Expected::item: return item();
-    case Expected::item_end: return item_end();
-    case Expected::expression: return expression();
-    case Expected::end_of_expression: return error("E0101", "expected the end, found " + found());
+    case Expected::item:
+      return item();
+    case Expected::item_end:
+      return item_end();
+    case Expected::expression:
+      return expression();
+    case Expected::end_of_expression:
+      return error("E0101", "expected the end, found " + found());
     case Expected::property_colon:
       return error("E0135", "a vector is written in square brackets",
                    fmt::format("write `{}: [x, y, z]`", word_of_item()));
-    case Expected::closing_bracket: return closing_bracket();
-    case Expected::name: return name("expected a name, found " + found());
-    case Expected::property_name: return name("expected a name after `.`, found " + found());
-    case Expected::block: return block();
-    case Expected::head: return head();
-    case Expected::loop_in: return loop_in();
-    case Expected::parameters: return parameters();
+    case Expected::closing_bracket:
+      return closing_bracket();
+    case Expected::name:
+      return name("expected a name, found " + found());
+    case Expected::property_name:
+      return name("expected a name after `.`, found " + found());
+    case Expected::block:
+      return block();
+    case Expected::head:
+      return head();
+    case Expected::loop_in:
+      return loop_in();
+    case Expected::parameters:
+      return parameters();
     case Expected::function_body:
       return error("E0133", "a function's value is missing, found " + found(),
                    "write `= value`, or a block whose last line is the value");
@@ -58,15 +69,19 @@ public:
     case Expected::path:
       return error("E0134", "expected a file's path, found " + found(),
                    "a path is a string: `" + word_of_item() + " \"parts.rtl\"`");
-    case Expected::use_as: return error("E0134", "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
-    case Expected::claim_t: return error("E0139", "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
-    case Expected::param_value: return error("E0134", "a `param` needs a value to start from, found " + found(),
-                                             "`param name = value`");
-    case Expected::string_end: return string_end();
+    case Expected::use_as:
+      return error("E0134", "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
+    case Expected::claim_t:
+      return error("E0139", "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
+    case Expected::param_value:
+      return error("E0134", "a `param` needs a value to start from, found " + found(), "`param name = value`");
+    case Expected::string_end:
+      return string_end();
     case Expected::comment_end:
       return syntax_error("E0106", {place_.file, place_.at - 2, place_.at}, "this comment is not closed",
                           "expected `*/` before the end of the file");
-    case Expected::line_not_led_by_sign: return led_by_operator();
+    case Expected::line_not_led_by_sign:
+      return led_by_operator();
     }
     return error("E0101", "unexpected " + found());
   }
@@ -103,10 +118,13 @@ private:
 
   std::string found() const {
     switch (found_.kind) {
-    case TokenKind::end: return "the end of the file";
+    case TokenKind::end:
+      return "the end of the file";
     case TokenKind::newline:
-    case TokenKind::line_comment: return "the end of the line";
-    default: return quoted(text(found_));
+    case TokenKind::line_comment:
+      return "the end of the line";
+    default:
+      return quoted(text(found_));
     }
   }
 

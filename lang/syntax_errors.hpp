@@ -31,7 +31,7 @@ enum class Expected : std::uint8_t {
   arrow, ///< => of a lambda
   path,
   use_as,
-  claim_t,           ///< of `at t` in an `expect`
+  claim_t, ///< of `at t` in an `expect`
   param_value,
   string_end,
   comment_end,

@@ -75,7 +75,8 @@ Diagnostic unknown_character(Span span, std::string_view c) {
     return syntax_error("E0119", span, "there is no `?` here", "`if condition { a } else { b }` chooses a value");
   }
   if (c == "~") {
-    return syntax_error("E0119", span, "there is no `~` here", "`expect a ~ b` compares approximately, and nothing else does");
+    return syntax_error("E0119", span, "there is no `~` here",
+                        "`expect a ~ b` compares approximately, and nothing else does");
   }
   if (c == "!") return syntax_error("E0119", span, "there is no `!` here", "write `not`");
   return look_alike(span, c, decode(c).code_point);

@@ -9,7 +9,9 @@ namespace rt::lang {
 
 namespace {
 
-char partner(char open) { return open == '(' ? ')' : open == '[' ? ']' : '}'; }
+char partner(char open) {
+  return open == '(' ? ')' : open == '[' ? ']' : '}';
+}
 
 bool begins_item(Word word) {
   return word == Word::def_ || word == Word::param_ || word == Word::use_ || word == Word::include_ ||
@@ -49,8 +51,11 @@ std::uint32_t skip_broken_item(std::string_view text, std::uint32_t from, std::s
   for (Token token = next_token(text, from);; token = next_token(text, token.end)) {
     const char c = text_of(text, token).empty() ? '\0' : text[token.begin];
     switch (token.kind) {
-    case TokenKind::end: return token.begin;
-    case TokenKind::open: stack += c; break;
+    case TokenKind::end:
+      return token.begin;
+    case TokenKind::open:
+      stack += c;
+      break;
     case TokenKind::close: {
       // A brace also closes what was forgotten within it; without a partner it ends the block around.
       while (c == '}' && !stack.empty() && stack.back() != '{') stack.pop_back();
@@ -69,7 +74,8 @@ std::uint32_t skip_broken_item(std::string_view text, std::uint32_t from, std::s
       while (!stack.empty() && stack.back() != '{' && looks_like_item(text, token.end)) stack.pop_back();
       if (stack.empty()) return token.begin;
       break;
-    default: break;
+    default:
+      break;
     }
   }
 }

@@ -53,8 +53,10 @@ Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_te
     return syntax_error("E0117", op, "ranges do not chain", "the step follows `by`: `0..10 by 2`");
   case Complaint::misplaced_not:
     return syntax_error("E0131", op, "`not` binds looser than the operator before it", "write `(not …)`");
-  case Complaint::step_without_range: return syntax_error("E0138", op, "`by` belongs to a range", "`0..10 by 2`");
-  case Complaint::none: break;
+  case Complaint::step_without_range:
+    return syntax_error("E0138", op, "`by` belongs to a range", "`0..10 by 2`");
+  case Complaint::none:
+    break;
   }
   return syntax_error("E0101", op, fmt::format("`{}` cannot stand here", op_text));
 }

@@ -40,7 +40,9 @@ private:
 };
 
 inline constexpr std::uint16_t parameter_bit = 0x8000;
-constexpr std::uint16_t parameter_id(std::size_t parameter) { return static_cast<std::uint16_t>(parameter_bit | parameter); }
+constexpr std::uint16_t parameter_id(std::size_t parameter) {
+  return static_cast<std::uint16_t>(parameter_bit | parameter);
+}
 
 /// The steps of `.scale(…)`, `.rotate(…)` and so on.
 struct Chain : Cell {
@@ -51,23 +53,23 @@ struct Chain : Cell {
 /// What a composite holds, shared by all its copies: placed often, it is one shape with many objects.
 struct Content : Cell {
   static constexpr ValueKind cell_kind = ValueKind::content;
-  std::vector<scene::Object> members;         ///< until `shape` is made of them
+  std::vector<scene::Object> members; ///< until `shape` is made of them
   std::vector<scene::Light> lights;
-  std::vector<PropertyValue> defaults;        ///< the properties in a def's body
-  std::optional<scene::ShapeRef> shape;       ///< in the scene's shapes
-  bool is_pending = false;                    ///< of a def whose body was not run yet
-  bool is_nothing = false;                    ///< there are no members
-  bool is_cut = false;                        ///< a difference or intersection that nothing is left of
+  std::vector<PropertyValue> defaults;  ///< the properties in a def's body
+  std::optional<scene::ShapeRef> shape; ///< in the scene's shapes
+  bool is_pending = false;              ///< of a def whose body was not run yet
+  bool is_nothing = false;              ///< there are no members
+  bool is_cut = false;                  ///< a difference or intersection that nothing is left of
 };
 
-/// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a copy
-/// with changes is another thing.
+/// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a
+/// copy with changes is another thing.
 struct Thing : Cell {
   static constexpr std::uint32_t no_color = 0xffffffff;
   static constexpr ValueKind cell_kind = ValueKind::thing;
-  const Noun* noun = nullptr;         ///< `group` for what a def makes
+  const Noun* noun = nullptr; ///< `group` for what a def makes
   const FunctionInfo* def = nullptr;
-  Ref<Frame> def_frame;               ///< where the def was declared
+  Ref<Frame> def_frame; ///< where the def was declared
   std::vector<PropertyValue> properties;
   Ref<Chain> chain;
   mutable Ref<Content> content;       ///< of a def: once its body was run
@@ -88,6 +90,8 @@ struct Thing : Cell {
   }
 };
 
-inline Thing& Value::thing() const { return *static_cast<Thing*>(expect(ValueKind::thing).cell); }
+inline Thing& Value::thing() const {
+  return *static_cast<Thing*>(expect(ValueKind::thing).cell);
+}
 
 } // namespace rt::lang

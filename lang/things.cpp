@@ -4,8 +4,9 @@
 #include "lang/hashing.hpp"
 #include "lang/suggest.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 namespace {
@@ -65,7 +66,8 @@ Value Evaluator::override_value(NodeId node, const Context& context) {
   --unsure_;
   if (base.is_poison()) return base;
   const bool is_named = base.is(ValueKind::closure) || base.is(ValueKind::builtin) || base.is(ValueKind::module);
-  return fail(is_named ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes", "this is " + describe(base));
+  return fail(is_named ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes",
+              "this is " + describe(base));
 }
 
 void Evaluator::simple_properties(NodeId node, const Context& context, const Noun& noun, PropertyList& properties) {
@@ -77,7 +79,8 @@ void Evaluator::simple_properties(NodeId node, const Context& context, const Nou
     p.span = ast.span(value_node);
     p.value = expression(value_node, context);
     const Property& property = noun.properties[p.id];
-    if (property.type == PropertyType::material && p.value.is(ValueKind::record)) p.value = as_material(p.value.record(), p.span);
+    if (property.type == PropertyType::material && p.value.is(ValueKind::record))
+      p.value = as_material(p.value.record(), p.span);
     if (const auto mistake = check_value(property, p.value)) {
       tell(*mistake, p.span);
       p.value = Value::poison();
@@ -114,15 +117,18 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
     if (old.content) begin_with(*old.content, *old.noun, members, target);
   }
   const std::uint32_t had = target.things;
-  if (ast.kind(parts.block) == Kind::block) items(parts.block, context, target);
-  else gathered.is_broken = true;
+  if (ast.kind(parts.block) == Kind::block)
+    items(parts.block, context, target);
+  else
+    gathered.is_broken = true;
   if (gathered.is_broken) return Value::poison();
   Ref<Thing> thing = new_thing(*old.noun, ast.span(node));
   thing->def = old.def;
   thing->def_frame = old.def_frame;
   thing->chain = old.chain;
   thing->default_name = old.default_name;
-  const bool keeps_inside = std::ranges::all_of(gathered.written, [&](const Gathered::Written& w) { return is_dress(*old.noun, w.id); });
+  const bool keeps_inside =
+      std::ranges::all_of(gathered.written, [&](const Gathered::Written& w) { return is_dress(*old.noun, w.id); });
   if (takes_things) {
     if (target.things == had) {
       thing->content = old.content;
@@ -149,12 +155,16 @@ Value Evaluator::changed_record(const Record& base, NodeId node, const Context& 
   std::vector<Record::Entry> entries = base.entries;
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     if (ast.kind(item) == Kind::error) return Value::poison();
-    if (ast.kind(item) != Kind::property) return fail("E0405", ast.span(item), "a record holds fields, and nothing else");
+    if (ast.kind(item) != Kind::property)
+      return fail("E0405", ast.span(item), "a record holds fields, and nothing else");
     const Named field = ast.named(item);
-    Record::Entry entry{field.symbol, expression(field.value, context), ast.span(field.value), ast.named_span(item, program_.symbols)};
+    Record::Entry entry{field.symbol, expression(field.value, context), ast.span(field.value),
+                        ast.named_span(item, program_.symbols)};
     const auto old = std::ranges::find(entries, field.symbol, &Record::Entry::name);
-    if (old == entries.end()) entries.push_back(std::move(entry));
-    else *old = std::move(entry);
+    if (old == entries.end())
+      entries.push_back(std::move(entry));
+    else
+      *old = std::move(entry);
   }
   return make_record(heap_, std::move(entries));
 }
@@ -165,7 +175,8 @@ void Evaluator::fail_unknown_material_property(const Record::Entry& entry) {
   std::vector<std::string_view> names;
   for (const Property& property : noun.properties) names.push_back(property.name);
   std::string label = dialect_property(word, &noun);
-  if (const auto guess = nearest(word, names); guess && label.empty()) label = fmt::format("did you mean `{}`?", *guess);
+  if (const auto guess = nearest(word, names); guess && label.empty())
+    label = fmt::format("did you mean `{}`?", *guess);
   fail("E0204", entry.name_span, fmt::format("`material` has no property `{}`", word), std::move(label),
        fmt::format("`material` takes {}", fmt::join(names, ", ")));
 }
@@ -211,12 +222,14 @@ Ref<Content> Evaluator::content(const Thing& thing) {
   thing.content = content_cell(thing);
   if (!thing.content->is_pending) return thing.content;
   Hasher h;
-  h.add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(thing.def))).add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(thing.def_frame.get())));
+  h.add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(thing.def)))
+      .add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(thing.def_frame.get())));
   for (const PropertyValue& p : thing.properties) {
     if ((p.id & parameter_bit) != 0) h.add(hash(p.value) * (std::uint64_t{p.id} * 2 + 1));
   }
   const auto [begin, end] = instances_.equal_range(h.value());
-  const auto found = std::find_if(begin, end, [&](const auto& entry) { return is_same_instance(*entry.second, thing); });
+  const auto found =
+      std::find_if(begin, end, [&](const auto& entry) { return is_same_instance(*entry.second, thing); });
   if (found != end) {
     thing.content = found->second->content;
     return thing.content;
@@ -285,8 +298,9 @@ void Evaluator::finish_content(Content& content, const Noun& noun, const Target&
   check_depth(content.depth, place);
   content.members.shrink_to_fit();
   // What is cut out of nothing is nothing, and so is what something shares with nothing.
-  content.is_cut = noun.category == Category::combination &&
-                   ((noun.operation == Operation::subtract && target.is_first_missing) || (noun.operation == Operation::intersect && target.is_one_missing));
+  content.is_cut =
+      noun.category == Category::combination && ((noun.operation == Operation::subtract && target.is_first_missing) ||
+                                                 (noun.operation == Operation::intersect && target.is_one_missing));
   if (content.is_cut) content.members.clear();
   content.is_nothing = content.members.empty();
 }
@@ -294,8 +308,10 @@ void Evaluator::finish_content(Content& content, const Noun& noun, const Target&
 // Goes on from what a composite holds already.
 void Evaluator::begin_with(const Content& old, const Noun& noun, Content& members, Target& target) {
   members.members = old.members;
-  if (old.shape && old.shape->kind == scene::kind_of<scene::Group>) members.members = scene_.shapes.get<scene::Group>(*old.shape).members;
-  else if (old.shape) members.members = scene_.shapes.get<scene::Combination>(*old.shape).operands;
+  if (old.shape && old.shape->kind == scene::kind_of<scene::Group>)
+    members.members = scene_.shapes.get<scene::Group>(*old.shape).members;
+  else if (old.shape)
+    members.members = scene_.shapes.get<scene::Combination>(*old.shape).operands;
   members.lights = old.lights;
   target.depth = static_cast<std::uint16_t>(old.depth > 0 ? old.depth - 1 : 0);
   target.things = static_cast<std::uint32_t>(members.members.size() + members.lights.size()) + (old.is_cut ? 1U : 0U);

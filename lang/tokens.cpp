@@ -23,7 +23,8 @@ public:
 private:
   char peek(std::uint32_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
-  template <typename Predicate> void skip_while(Predicate predicate) {
+  template <typename Predicate>
+  void skip_while(Predicate predicate) {
     while (at_ < text_.size() && predicate(text_[at_])) ++at_;
   }
 
@@ -35,18 +36,25 @@ private:
     if (is_name_start(c)) return skip_while(is_name_part), TokenKind::name;
     if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return number();
     switch (c) {
-    case '\n': return ++at_, TokenKind::newline;
-    case '"': return string();
-    case '#': return ++at_, skip_while(is_name_part), TokenKind::color;
+    case '\n':
+      return ++at_, TokenKind::newline;
+    case '"':
+      return string();
+    case '#':
+      return ++at_, skip_while(is_name_part), TokenKind::color;
     case '(':
     case '[':
-    case '{': return ++at_, TokenKind::open;
+    case '{':
+      return ++at_, TokenKind::open;
     case ')':
     case ']':
-    case '}': return ++at_, TokenKind::close;
+    case '}':
+      return ++at_, TokenKind::close;
     case ',':
-    case ';': return ++at_, TokenKind::separator;
-    default: return comment_or_symbol(c);
+    case ';':
+      return ++at_, TokenKind::separator;
+    default:
+      return comment_or_symbol(c);
     }
   }
 
@@ -98,6 +106,8 @@ private:
 
 } // namespace
 
-Token next_token(std::string_view text, std::uint32_t at) { return Scanner(text, at).token(); }
+Token next_token(std::string_view text, std::uint32_t at) {
+  return Scanner(text, at).token();
+}
 
 } // namespace rt::lang

@@ -10,8 +10,8 @@ enum class TokenKind : std::uint8_t {
   newline,
   line_comment,
   block_comment,
-  name,      ///< reserved words too
-  number,    ///< with its suffix
+  name,   ///< reserved words too
+  number, ///< with its suffix
   color,
   string,    ///< up to the end of the line where it is not closed
   open,      ///< ( [ {

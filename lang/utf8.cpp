@@ -32,7 +32,8 @@ constexpr Interval wide[] = {
     {0xffe0, 0xffe6},   {0x16fe0, 0x18aff}, {0x1b000, 0x1b2ff}, {0x1f300, 0x1f64f}, {0x1f680, 0x1f6ff},
     {0x1f900, 0x1faff}, {0x20000, 0x3fffd}};
 
-template <std::size_t N> bool lies_in(char32_t c, const Interval (&intervals)[N]) {
+template <std::size_t N>
+bool lies_in(char32_t c, const Interval (&intervals)[N]) {
   const auto* const after = std::upper_bound(std::begin(intervals), std::end(intervals), c,
                                              [](char32_t value, const Interval& i) { return value < i.first; });
   return after != std::begin(intervals) && c <= after[-1].last;

@@ -6,14 +6,16 @@
 
 namespace rt::lang {
 
-/// One character at the start of a text: its code point (U+FFFD where the bytes are no UTF-8) and how many bytes it takes.
+/// One character at the start of a text: its code point (U+FFFD where the bytes are no UTF-8) and how many bytes it
+/// takes.
 struct Character {
   char32_t code_point = 0;
   std::size_t bytes = 1;
   bool is_valid = true;
 };
 
-/// Requires a text that is not empty. Overlong forms, surrogates and what lies beyond U+10FFFF are invalid, one byte each.
+/// Requires a text that is not empty. Overlong forms, surrogates and what lies beyond U+10FFFF are invalid, one byte
+/// each.
 Character decode(std::string_view text);
 
 void append_utf8(std::string& out, char32_t code_point);

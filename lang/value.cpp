@@ -4,9 +4,10 @@
 #include "lang/hashing.hpp"
 #include "lang/thing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace rt::lang {
 
@@ -46,7 +47,9 @@ bool are_numbers(const std::vector<Value>& items) {
   return std::ranges::all_of(items, [](const Value& v) { return v.is_number(); });
 }
 
-std::uint16_t above(std::uint16_t deepest) { return static_cast<std::uint16_t>(std::min(deepest + 1, 0xffff)); }
+std::uint16_t above(std::uint16_t deepest) {
+  return static_cast<std::uint16_t>(std::min(deepest + 1, 0xffff));
+}
 
 } // namespace
 
@@ -87,23 +90,33 @@ bool is_sequence(const Value& value) {
 
 std::size_t sequence_size(const Value& value) {
   switch (value.kind()) {
-  case ValueKind::list: return value.items().size();
-  case ValueKind::vector: return value.vector_size();
-  case ValueKind::range: return static_cast<std::size_t>(count(value.range(), value.excludes_end()));
-  default: return 0;
+  case ValueKind::list:
+    return value.items().size();
+  case ValueKind::vector:
+    return value.vector_size();
+  case ValueKind::range:
+    return static_cast<std::size_t>(count(value.range(), value.excludes_end()));
+  default:
+    return 0;
   }
 }
 
 Value sequence_at(const Value& value, std::size_t i) {
   switch (value.kind()) {
-  case ValueKind::list: return value.items()[i];
-  case ValueKind::vector: return value.vector()[i];
-  case ValueKind::range: return value.range().from + static_cast<double>(i) * value.range().step;
-  default: return Value();
+  case ValueKind::list:
+    return value.items()[i];
+  case ValueKind::vector:
+    return value.vector()[i];
+  case ValueKind::range:
+    return value.range().from + static_cast<double>(i) * value.range().step;
+  default:
+    return Value();
   }
 }
 
-std::uint16_t depth_of(const Value& value) { return value.is_shared() ? value.cell()->depth : 0; }
+std::uint16_t depth_of(const Value& value) {
+  return value.is_shared() ? value.cell()->depth : 0;
+}
 
 namespace {
 
@@ -152,18 +165,30 @@ bool equal(const Value& a, const Value& b) {
   if (is_sequence(a) && is_sequence(b)) return equal_sequences(a, b);
   if (a.kind() != b.kind()) return false;
   switch (a.kind()) {
-  case ValueKind::boolean: return a.truth() == b.truth();
-  case ValueKind::number: return a.number() == b.number();
-  case ValueKind::color: return a.color() == b.color();
-  case ValueKind::fade: return a.fade() == b.fade();
-  case ValueKind::choice: return a.choice() == b.choice();
-  case ValueKind::builtin: return a.builtin() == b.builtin();
-  case ValueKind::string: return a.text() == b.text();
-  case ValueKind::record: return equal_records(a.record(), b.record());
-  case ValueKind::closure: return a.closure().function == b.closure().function && a.closure().parent == b.closure().parent;
-  case ValueKind::thing: return equal_things(a.thing(), b.thing());
-  case ValueKind::module: return a.module().info == b.module().info;
-  default: return true;
+  case ValueKind::boolean:
+    return a.truth() == b.truth();
+  case ValueKind::number:
+    return a.number() == b.number();
+  case ValueKind::color:
+    return a.color() == b.color();
+  case ValueKind::fade:
+    return a.fade() == b.fade();
+  case ValueKind::choice:
+    return a.choice() == b.choice();
+  case ValueKind::builtin:
+    return a.builtin() == b.builtin();
+  case ValueKind::string:
+    return a.text() == b.text();
+  case ValueKind::record:
+    return equal_records(a.record(), b.record());
+  case ValueKind::closure:
+    return a.closure().function == b.closure().function && a.closure().parent == b.closure().parent;
+  case ValueKind::thing:
+    return equal_things(a.thing(), b.thing());
+  case ValueKind::module:
+    return a.module().info == b.module().info;
+  default:
+    return true;
   }
 }
 
@@ -176,44 +201,71 @@ std::uint64_t hash(const Value& value) {
   }
   h.add(std::uint64_t{2} + static_cast<std::uint64_t>(value.kind()));
   switch (value.kind()) {
-  case ValueKind::boolean: h.add(std::uint64_t{value.truth() ? 1U : 0U}); break;
-  case ValueKind::number: h.add(value.number()); break;
-  case ValueKind::color: h.add(value.color()); break;
+  case ValueKind::boolean:
+    h.add(std::uint64_t{value.truth() ? 1U : 0U});
+    break;
+  case ValueKind::number:
+    h.add(value.number());
+    break;
+  case ValueKind::color:
+    h.add(value.color());
+    break;
   case ValueKind::string:
     for (const char c : value.text()) h.add(std::uint64_t{static_cast<unsigned char>(c)});
     break;
-  default: break;
+  default:
+    break;
   }
   return h.value();
 }
 
 std::string describe(const Value& value) {
   switch (value.kind()) {
-  case ValueKind::unset: return "a name without a value";
-  case ValueKind::poison: return "something in error";
-  case ValueKind::none: return "`none`";
-  case ValueKind::boolean: return value.truth() ? "`true`" : "`false`";
-  case ValueKind::number: return "a number";
-  case ValueKind::vector: return value.vector_size() == 3 ? "a vector" : "a list of two numbers";
-  case ValueKind::color: return "a colour";
-  case ValueKind::range: return "a range";
-  case ValueKind::fade: return "a fade";
-  case ValueKind::choice: return fmt::format("the word `{}`", value.choice());
+  case ValueKind::unset:
+    return "a name without a value";
+  case ValueKind::poison:
+    return "something in error";
+  case ValueKind::none:
+    return "`none`";
+  case ValueKind::boolean:
+    return value.truth() ? "`true`" : "`false`";
+  case ValueKind::number:
+    return "a number";
+  case ValueKind::vector:
+    return value.vector_size() == 3 ? "a vector" : "a list of two numbers";
+  case ValueKind::color:
+    return "a colour";
+  case ValueKind::range:
+    return "a range";
+  case ValueKind::fade:
+    return "a fade";
+  case ValueKind::choice:
+    return fmt::format("the word `{}`", value.choice());
   case ValueKind::builtin:
-  case ValueKind::closure: return "a function";
-  case ValueKind::string: return "a string";
-  case ValueKind::list: return "a list";
-  case ValueKind::record: return "a record";
-  case ValueKind::module: return "a module";
-  case ValueKind::thing: break;
-  default: return "nothing";
+  case ValueKind::closure:
+    return "a function";
+  case ValueKind::string:
+    return "a string";
+  case ValueKind::list:
+    return "a list";
+  case ValueKind::record:
+    return "a record";
+  case ValueKind::module:
+    return "a module";
+  case ValueKind::thing:
+    break;
+  default:
+    return "nothing";
   }
   const std::string_view noun = value.thing().noun->name;
-  const bool has_vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos && !noun.starts_with("uni");
+  const bool has_vowel =
+      std::string_view("aeiou").find(noun.front()) != std::string_view::npos && !noun.starts_with("uni");
   return fmt::format("{} {}", has_vowel ? "an" : "a", noun);
 }
 
-std::string count_of_arguments(std::size_t count) { return fmt::format("{} argument{}", count, count == 1 ? "" : "s"); }
+std::string count_of_arguments(std::size_t count) {
+  return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
+}
 
 std::string format_number(double number) {
   if (std::isnan(number)) return "not a number";

@@ -41,7 +41,8 @@ public:
     payload_.number = fade.distance;
   }
   Value(const Builtin* builtin) : Value(ValueKind::builtin) { payload_.builtin = builtin; }
-  template <class T> Value(const Ref<T>& cell) : Value(T::cell_kind) {
+  template <class T>
+  Value(const Ref<T>& cell) : Value(T::cell_kind) {
     assert(cell);
     payload_.cell = cell.get();
     ++payload_.cell->references;
@@ -218,12 +219,20 @@ std::string format_number(double number);
 /// As `str` gives it and a session prints it; `names` tells the names of records' fields.
 std::string format(const Value& value, const SymbolTable& names);
 
-inline const std::string& Value::text() const { return static_cast<const String*>(expect(ValueKind::string).cell)->text; }
+inline const std::string& Value::text() const {
+  return static_cast<const String*>(expect(ValueKind::string).cell)->text;
+}
 inline const std::vector<Value>& Value::items() const {
   return static_cast<const List*>(expect(ValueKind::list).cell)->items;
 }
-inline const Record& Value::record() const { return *static_cast<const Record*>(expect(ValueKind::record).cell); }
-inline Closure& Value::closure() const { return *static_cast<Closure*>(expect(ValueKind::closure).cell); }
-inline Module& Value::module() const { return *static_cast<Module*>(expect(ValueKind::module).cell); }
+inline const Record& Value::record() const {
+  return *static_cast<const Record*>(expect(ValueKind::record).cell);
+}
+inline Closure& Value::closure() const {
+  return *static_cast<Closure*>(expect(ValueKind::closure).cell);
+}
+inline Module& Value::module() const {
+  return *static_cast<Module*>(expect(ValueKind::module).cell);
+}
 
 } // namespace rt::lang

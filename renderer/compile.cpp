@@ -9,8 +9,8 @@
 namespace rt {
 namespace {
 
-// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the order
-// from near to far: without it a group of groups of groups costs as much as all its copies.
+// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the
+// order from near to far: without it a group of groups of groups costs as much as all its copies.
 constexpr std::size_t least_for_tree = 4;
 
 // Objects of one list on the way through the groups that are taken apart.
@@ -60,7 +60,8 @@ private:
     slot_count_ = 0;
     if (is_root)
       for (const auto stretch : outside_of_parts()) reserve(stretch);
-    else reserve(objects);
+    else
+      reserve(objects);
     next_part_ = is_root ? 0 : parts_.size();
     std::vector<Frame> frames{{objects, {}, style, true, 0}};
     while (!frames.empty()) visit(frames);

@@ -47,8 +47,8 @@ private:
 };
 
 /// What is kept from one compilation of a growing scene to the next. The scene's tables (shapes, materials, patterns,
-/// turns) may only grow as long as a cache is used with it, and what was compiled before with a cache must not be traced
-/// once it is used again.
+/// turns) may only grow as long as a cache is used with it, and what was compiled before with a cache must not be
+/// traced once it is used again.
 class CompileCache {
 public:
   /// `threads` to build with, 0: one for each core.

@@ -24,8 +24,8 @@ struct Xyz32 {
   float x = 0, y = 0, z = 0;
 };
 
-/// A finished picture: linear colour of every pixel, row by row from the top left. Where layers were asked for they hold
-/// the first hit of the pixel's centre ray: otherwise they are empty.
+/// A finished picture: linear colour of every pixel, row by row from the top left. Where layers were asked for they
+/// hold the first hit of the pixel's centre ray: otherwise they are empty.
 struct Film {
   int width = 0, height = 0;
   std::vector<Rgb32> color;

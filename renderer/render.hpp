@@ -12,16 +12,16 @@ namespace rt {
 
 /// What is known while a picture is being made.
 struct Progress {
-  double fraction = 0;     ///< of all tiles, 0 to 1
-  std::uint64_t rays = 0;  ///< traced so far, of every kind
-  double seconds = 0;      ///< since tracing began
+  double fraction = 0;    ///< of all tiles, 0 to 1
+  std::uint64_t rays = 0; ///< traced so far, of every kind
+  double seconds = 0;     ///< since tracing began
 };
 
 struct RenderOptions {
-  int threads = 0;                          ///< 0: one for each core
-  std::optional<PixelRect> crop;            ///< the film holds this part of the picture only; inside the scene's size
-  bool layers = false;                      ///< fill the film's layers
-  const std::atomic<bool>* stop = nullptr;  ///< set from outside (a signal handler): rendering ends within a tile
+  int threads = 0;                         ///< 0: one for each core
+  std::optional<PixelRect> crop;           ///< the film holds this part of the picture only; inside the scene's size
+  bool layers = false;                     ///< fill the film's layers
+  const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
 };
 

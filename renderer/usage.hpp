@@ -9,8 +9,8 @@
 namespace rt {
 
 /// How often the groups and combinations of a scene are placed, and which groups are worth an assembly of their own.
-/// What stands within a combination is not counted: that is the combination's affair. `objects` are the stretches of the
-/// scene's list that it is about.
+/// What stands within a combination is not counted: that is the combination's affair. `objects` are the stretches of
+/// the scene's list that it is about.
 class Usage {
 public:
   Usage(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects);

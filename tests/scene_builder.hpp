@@ -28,7 +28,8 @@ public:
     scene.turns.push_back(p);
     return static_cast<scene::TurnId>(scene.turns.size() - 1);
   }
-  template <class S> scene::Object object(S shape, scene::MaterialId material = scene::no_material, const Vec3& at = {}) {
+  template <class S>
+  scene::Object object(S shape, scene::MaterialId material = scene::no_material, const Vec3& at = {}) {
     scene::Object o;
     o.shape = scene.shapes.add(std::move(shape));
     o.material = material;
@@ -36,11 +37,14 @@ public:
     o.origin = {0, ++line_};
     return o;
   }
-  template <class S> scene::Object& place(S shape, scene::MaterialId material = scene::no_material, const Vec3& at = {}) {
+  template <class S>
+  scene::Object& place(S shape, scene::MaterialId material = scene::no_material, const Vec3& at = {}) {
     scene.objects.push_back(object(std::move(shape), material, at));
     return scene.objects.back();
   }
-  void light(const scene::LightSource& source) { scene.lights.push_back({source, {}, {}, scene::no_name, {0, ++line_}}); }
+  void light(const scene::LightSource& source) {
+    scene.lights.push_back({source, {}, {}, scene::no_name, {0, ++line_}});
+  }
 
 private:
   std::uint32_t line_ = 0;

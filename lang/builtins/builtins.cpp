@@ -6,9 +6,13 @@ namespace rt::lang {
 
 std::span<const BuiltinGroup> builtin_groups() {
   static const BuiltinGroup groups[] = {
-      {"Numbers", builtins::maths()},   {"Vectors", builtins::vectors()},
-      {"Geometry and matrices", builtins::geometry()}, {"Lists and text", builtins::lists()},
-      {"Colours", builtins::colors()},  {"Chance", builtins::randoms()},  {"Fades of light", builtins::fades()},
+      {"Numbers", builtins::maths()},
+      {"Vectors", builtins::vectors()},
+      {"Geometry and matrices", builtins::geometry()},
+      {"Lists and text", builtins::lists()},
+      {"Colours", builtins::colors()},
+      {"Chance", builtins::randoms()},
+      {"Fades of light", builtins::fades()},
   };
   return groups;
 }
@@ -19,7 +23,9 @@ std::span<const Constant> constants() {
       {"tau", "6.283185307179586", "the circumference of the unit circle", [] { return Value(2 * std::numbers::pi); }},
       {"e", "2.718281828459045", "the base of natural logarithms", [] { return Value(std::numbers::e); }},
       {"inverse_square", "", "for `fade`: 1 / D^2 at distance D",
-       [] { return Value(scene::Fade{scene::Fade::Law::inverse_square, 1}); }},
+       [] {
+         return Value(scene::Fade{scene::Fade::Law::inverse_square, 1});
+       }},
   };
   return table;
 }

@@ -29,8 +29,8 @@ public:
   /// Counts `steps` of work, and makes sure that `bytes` more may be allocated. Does not return when a limit is passed:
   /// that ends the evaluation.
   virtual void spend(std::uint64_t steps, std::uint64_t bytes = 0) = 0;
-  /// Who looks at the scene, or at the thing alone that argument `alone` is, placed or not; null after a failure, which is
-  /// reported. For questions only.
+  /// Who looks at the scene, or at the thing alone that argument `alone` is, placed or not; null after a failure, which
+  /// is reported. For questions only.
   virtual const Observer* observer(std::optional<std::size_t> alone = {}) = 0;
   virtual const scene::Scene& scene() = 0;
 

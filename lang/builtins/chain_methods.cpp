@@ -9,7 +9,8 @@ using scene::Step;
 
 bool is_finite_argument(BuiltinCall& c, std::size_t i) {
   if (!c.has(i)) return true;
-  const bool fine = c[i].is_number() ? std::isfinite(c.number(i)) : !c[i].is(ValueKind::vector) || is_finite(c.vector(i));
+  const bool fine =
+      c[i].is_number() ? std::isfinite(c.number(i)) : !c[i].is(ValueKind::vector) || is_finite(c.vector(i));
   if (!fine) c.fail(i, "this is not a finite number");
   return fine;
 }
@@ -37,13 +38,19 @@ std::optional<Vec3> vector_or_parts(BuiltinCall& c, double otherwise) {
   return Vec3{c.number_or(1, otherwise), c.number_or(2, otherwise), c.number_or(3, otherwise)};
 }
 
-Vec3 about(BuiltinCall& c, std::size_t i) { return c.has(i) ? c.vector(i) : Vec3{}; }
+Vec3 about(BuiltinCall& c, std::size_t i) {
+  return c.has(i) ? c.vector(i) : Vec3{};
+}
 
 std::optional<Step> scale(BuiltinCall& c) {
   const auto factors = vector_or_parts(c, 1);
   if (!factors) return std::nullopt;
   if (factors->x * factors->y * factors->z == 0) {
-    c.fail(c.has(0) ? 0 : c.has(1) && factors->x == 0 ? 1 : c.has(2) && factors->y == 0 ? 2 : 3, "scaling by 0 flattens the thing");
+    c.fail(c.has(0)                      ? 0
+           : c.has(1) && factors->x == 0 ? 1
+           : c.has(2) && factors->y == 0 ? 2
+                                         : 3,
+           "scaling by 0 flattens the thing");
     return std::nullopt;
   }
   return scene::ScaleStep{*factors, about(c, 4)};
@@ -122,9 +129,13 @@ std::optional<Step> transform(BuiltinCall& c) {
     m[i] = *row;
   }
   if (n == 4 && m[3] != std::array<double, 4>{0, 0, 0, 1}) return wrong(shape);
-  const Affine map{{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}, {m[0][3], m[1][3], m[2][3]}};
+  const Affine map{{m[0][0], m[1][0], m[2][0]},
+                   {m[0][1], m[1][1], m[2][1]},
+                   {m[0][2], m[1][2], m[2][2]},
+                   {m[0][3], m[1][3], m[2][3]}};
   const double determinant = map.determinant();
-  if (determinant == 0 || !std::isfinite(determinant)) return wrong("this matrix flattens the thing: its determinant is 0");
+  if (determinant == 0 || !std::isfinite(determinant))
+    return wrong("this matrix flattens the thing: its determinant is 0");
   return scene::MatrixStep{map};
 }
 
@@ -134,10 +145,14 @@ std::span<const ChainMethod> chain_methods() {
   static constexpr ChainMethod table[] = {
       {"scale", "factors: number or vector = ?, x: number = 1, y: number = 1, z: number = 1, about: vector = [0, 0, 0]",
        "enlarged, about a fixed point", scale},
-      {"rotate", "degrees: vector = ?, x: number = 0, y: number = 0, z: number = 0, axis: vector = ?, angle: number = ?, about: vector = [0, 0, 0]",
+      {"rotate",
+       "degrees: vector = ?, x: number = 0, y: number = 0, z: number = 0, axis: vector = ?, angle: number = ?, about: "
+       "vector = [0, 0, 0]",
        "turned about the x, then the y, then the z axis, or by an angle about any axis, in degrees", rotate},
       {"move", "offset: vector = ?, x: number = 0, y: number = 0, z: number = 0", "moved", move},
-      {"shear", "xy: number = 0, xz: number = 0, yx: number = 0, yz: number = 0, zx: number = 0, zy: number = 0, about: vector = [0, 0, 0]",
+      {"shear",
+       "xy: number = 0, xz: number = 0, yx: number = 0, yz: number = 0, zx: number = 0, zy: number = 0, about: vector "
+       "= [0, 0, 0]",
        "slanted: x grows by xy times y and xz times z, and so on", shear},
       {"mirror", "normal: vector = ?, x: number = 0, y: number = 0, z: number = 0, about: vector = [0, 0, 0]",
        "mirrored at the plane perpendicular to a direction", mirror},

@@ -1,14 +1,17 @@
 #include "lang/builtins/builtins.hpp"
 #include "lang/properties.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace rt::lang::builtins {
 namespace {
 
-Color from_srgb(double r, double g, double b) { return {srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b)}; }
+Color from_srgb(double r, double g, double b) {
+  return {srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b)};
+}
 
 Value srgb_color(BuiltinCall& c) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -22,9 +25,12 @@ Value srgb_color(BuiltinCall& c) {
   }
   return from_srgb(c.number(0), c.number(1), c.number(2));
 }
-Value linear_color(BuiltinCall& c) { return Color{c.number(0), c.number(1), c.number(2)}; }
+Value linear_color(BuiltinCall& c) {
+  return Color{c.number(0), c.number(1), c.number(2)};
+}
 
-// Each channel is a trapezoid over the hue, a third of the circle apart: A. R. Smith, Color Gamut Transform Pairs, 1978.
+// Each channel is a trapezoid over the hue, a third of the circle apart: A. R. Smith, Color Gamut Transform Pairs,
+// 1978.
 Value hsv_color(BuiltinCall& c) {
   const double hue = c.number(0), saturation = c.number(1), value = c.number(2);
   const auto channel = [&](double shift) {
@@ -45,7 +51,8 @@ Value mixed(BuiltinCall& c) {
     return a.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
   }
   const auto first = as_color(a), second = as_color(b);
-  if (!first || !second) return c.fail(1, "mix takes two numbers, two vectors or two colours", "this is " + describe(b));
+  if (!first || !second)
+    return c.fail(1, "mix takes two numbers, two vectors or two colours", "this is " + describe(b));
   return *first + (*second - *first) * t;
 }
 
@@ -55,8 +62,10 @@ std::span<const Builtin> colors() {
   static constexpr Builtin table[] = {
       {"rgb", "r: number, g: number, b: number", "colour from sRGB values, 0 to 1", srgb_color},
       {"linear_rgb", "r: number, g: number, b: number", "colour from linear light, 0 to 1 and beyond", linear_color},
-      {"hsv", "hue: number, saturation: number, value: number", "colour from hue in degrees, saturation and value from 0 to 1 (sRGB)", hsv_color},
-      {"mix", "a: number or point or color, b: number or point or color, t: number", "a + t (b - a): a at 0, b at 1", mixed},
+      {"hsv", "hue: number, saturation: number, value: number",
+       "colour from hue in degrees, saturation and value from 0 to 1 (sRGB)", hsv_color},
+      {"mix", "a: number or point or color, b: number or point or color, t: number", "a + t (b - a): a at 0, b at 1",
+       mixed},
       {"lerp", "a: number or point or color, b: number or point or color, t: number", "another name for mix", mixed},
   };
   return table;

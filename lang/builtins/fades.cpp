@@ -5,9 +5,11 @@
 namespace rt::lang::builtins {
 namespace {
 
-template <scene::Fade::Law law> Value fade(BuiltinCall& c) {
+template <scene::Fade::Law law>
+Value fade(BuiltinCall& c) {
   const double d = c.number(0);
-  if (!(d > 0) || !std::isfinite(d)) return c.fail(0, "the distance of a fade must be greater than 0", "this is " + format_number(d));
+  if (!(d > 0) || !std::isfinite(d))
+    return c.fail(0, "the distance of a fade must be greater than 0", "this is " + format_number(d));
   return scene::Fade{law, d};
 }
 

@@ -22,7 +22,9 @@ bool have_equal_sizes(BuiltinCall& c) {
   return false;
 }
 
-Value triple_product(BuiltinCall& c) { return dot(c.vector(0), cross(c.vector(1), c.vector(2))); }
+Value triple_product(BuiltinCall& c) {
+  return dot(c.vector(0), cross(c.vector(1), c.vector(2)));
+}
 
 Value component(BuiltinCall& c) {
   if (!have_equal_sizes(c) || !has_direction(c, 1)) return Value::poison();
@@ -37,12 +39,13 @@ Value direction_angles(BuiltinCall& c) {
   return Vec3{angle(v.x, v.y, v.z), angle(v.y, v.x, v.z), angle(v.z, v.x, v.y)};
 }
 
-// Snell's law in vectors: with i and n of length 1, c = -i·n and k = 1 - r² (1 - c²), the direction is r i + (r c - √k) n; where
-// k < 0 the reflection is total.
+// Snell's law in vectors: with i and n of length 1, c = -i·n and k = 1 - r² (1 - c²), the direction is r i + (r c - √k)
+// n; where k < 0 the reflection is total.
 Value refracted(BuiltinCall& c) {
   if (!have_equal_sizes(c) || !has_direction(c, 0) || !has_direction(c, 1)) return Value::poison();
   const double ratio = c.number(2);
-  if (!(ratio > 0)) return c.fail(2, "the ratio of two indices of refraction is greater than 0", "this is " + format_number(ratio));
+  if (!(ratio > 0))
+    return c.fail(2, "the ratio of two indices of refraction is greater than 0", "this is " + format_number(ratio));
   const Vec3 i = normalize(c.vector(0));
   Vec3 n = normalize(c.vector(1));
   if (dot(i, n) > 0) n = -n;
@@ -56,7 +59,8 @@ Value plane_through(BuiltinCall& c) {
   const Vec3 n = cross(c.vector(1) - c.vector(0), c.vector(2) - c.vector(0));
   if (length(n) == 0) return c.fail(2, "three points on one line lie in many planes", "");
   const Vec3 unit = normalize(n);
-  return make_record(c.heap(), {{c.symbols().find("normal"), unit, {}, {}}, {c.symbols().find("offset"), dot(unit, c.vector(0)), {}, {}}});
+  return make_record(c.heap(), {{c.symbols().find("normal"), unit, {}, {}},
+                                {c.symbols().find("offset"), dot(unit, c.vector(0)), {}, {}}});
 }
 
 Value distance_to_plane(BuiltinCall& c) {
@@ -166,7 +170,8 @@ Value matrix_product(BuiltinCall& c) {
   const auto b = a ? factor_argument(c, is_vector) : std::nullopt;
   if (!b) return Value::poison();
   if (a->columns != b->rows)
-    return c.fail(1, "the second factor needs as many rows as the first has columns", std::to_string(b->rows) + ", not " + std::to_string(a->columns));
+    return c.fail(1, "the second factor needs as many rows as the first has columns",
+                  std::to_string(b->rows) + ", not " + std::to_string(a->columns));
   c.spend(a->rows * a->columns * b->columns, a->rows * b->columns * sizeof(double));
   Matrix m{a->rows, b->columns, std::vector<double>(a->rows * b->columns)};
   for (std::size_t i = 0; i < m.rows; ++i) {
@@ -187,8 +192,8 @@ Value transposed(BuiltinCall& c) {
   return as_value(c, t);
 }
 
-/// Gaussian elimination with the largest pivot, on `m` and at the same time on `right`; gives the determinant. Where it is
-/// not 0, `right` becomes m⁻¹ right.
+/// Gaussian elimination with the largest pivot, on `m` and at the same time on `right`; gives the determinant. Where it
+/// is not 0, `right` becomes m⁻¹ right.
 double eliminate(Matrix m, Matrix& right) {
   double determinant = 1;
   const auto swap_rows = [](Matrix& x, std::size_t i, std::size_t k) {
@@ -240,19 +245,27 @@ Value inverse(BuiltinCall& c) {
 
 std::span<const Builtin> geometry() {
   static constexpr Builtin table[] = {
-      {"triple", "a: vector, b: vector, c: vector", "a · (b × c): the volume that three vectors span, with a sign", triple_product},
+      {"triple", "a: vector, b: vector, c: vector", "a · (b × c): the volume that three vectors span, with a sign",
+       triple_product},
       {"component", "v: point, along: point", "how far v goes along another vector", component},
       {"direction_angles", "v: vector", "the angles to the three axes, in degrees", direction_angles},
       {"refract", "v: point, normal: point, ratio: number",
-       "direction behind a surface, of length 1, by Snell's law; ratio is the index in front over that behind; `none` where the reflection is total", refracted},
-      {"plane_through", "a: vector, b: vector, c: vector", "the plane through three points: { normal, offset }, the normal of length 1", plane_through},
-      {"distance_to_plane", "p: vector, plane: any", "distance of a point from a plane { normal, offset }", distance_to_plane},
-      {"distance_between_lines", "p: vector, u: vector, q: vector, v: vector", "distance of the lines through p along u and through q along v", distance_between_lines},
+       "direction behind a surface, of length 1, by Snell's law; ratio is the index in front over that behind; `none` "
+       "where the reflection is total",
+       refracted},
+      {"plane_through", "a: vector, b: vector, c: vector",
+       "the plane through three points: { normal, offset }, the normal of length 1", plane_through},
+      {"distance_to_plane", "p: vector, plane: any", "distance of a point from a plane { normal, offset }",
+       distance_to_plane},
+      {"distance_between_lines", "p: vector, u: vector, q: vector, v: vector",
+       "distance of the lines through p along u and through q along v", distance_between_lines},
       {"cylindrical", "p: vector", "[r, θ, z] of a point: θ from the x axis about z, in degrees", cylindrical},
       {"from_cylindrical", "p: vector", "the point at [r, θ, z]", from_cylindrical},
-      {"spherical", "p: vector", "[ρ, θ, φ] of a point: θ from the x axis about z, φ from the z axis, in degrees", spherical},
+      {"spherical", "p: vector", "[ρ, θ, φ] of a point: θ from the x axis about z, φ from the z axis, in degrees",
+       spherical},
       {"from_spherical", "p: vector", "the point at [ρ, θ, φ]", from_spherical},
-      {"matmul", "a: list, b: list", "product of two matrices (lists of rows), or of a matrix and a vector", matrix_product},
+      {"matmul", "a: list, b: list", "product of two matrices (lists of rows), or of a matrix and a vector",
+       matrix_product},
       {"transpose", "m: list", "rows and columns exchanged", transposed},
       {"determinant", "m: list", "determinant of a square matrix", determinant},
       {"inverse", "m: list", "the matrix that undoes a square one", inverse},

@@ -41,14 +41,16 @@ std::optional<std::vector<Value>> numbers(BuiltinCall& c) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].is_poison()) return std::nullopt;
     if (all[i].is_number()) continue;
-    const std::string label = is_list ? "element " + std::to_string(i) + " is " + describe(all[i]) : "this is " + describe(all[i]);
+    const std::string label =
+        is_list ? "element " + std::to_string(i) + " is " + describe(all[i]) : "this is " + describe(all[i]);
     c.fail(is_list ? 0 : i, "only numbers can be compared and summed here", label);
     return std::nullopt;
   }
   return all;
 }
 
-template <bool is_max> Value extreme(BuiltinCall& c) {
+template <bool is_max>
+Value extreme(BuiltinCall& c) {
   const auto all = numbers(c);
   if (!all) return Value::poison();
   if (all->empty()) return c.fail(0, "an empty list has no least or greatest element");
@@ -85,12 +87,17 @@ Value total(BuiltinCall& c) {
     if (v.is_poison() || sum.is_poison()) return Value::poison();
     const bool is_alike = v.kind() == sum.kind() && (!v.is(ValueKind::vector) || v.vector_size() == sum.vector_size());
     if (!is_alike || !(v.is_number() || v.is(ValueKind::vector) || v.is(ValueKind::color)))
-      return c.fail(0, "sum takes numbers, vectors or colours, all of one kind", "element " + std::to_string(i) + " is " + describe(v));
+      return c.fail(0, "sum takes numbers, vectors or colours, all of one kind",
+                    "element " + std::to_string(i) + " is " + describe(v));
     if (i == 0) continue;
-    if (v.is_number()) sum = sum.number() + v.number();
-    else if (v.is(ValueKind::color)) sum = sum.color() + v.color();
-    else if (v.vector_size() == 2) sum = Value::point(sum.vector().x + v.vector().x, sum.vector().y + v.vector().y);
-    else sum = sum.vector() + v.vector();
+    if (v.is_number())
+      sum = sum.number() + v.number();
+    else if (v.is(ValueKind::color))
+      sum = sum.color() + v.color();
+    else if (v.vector_size() == 2)
+      sum = Value::point(sum.vector().x + v.vector().x, sum.vector().y + v.vector().y);
+    else
+      sum = sum.vector() + v.vector();
   }
   return sum;
 }
@@ -150,16 +157,21 @@ Value folded(BuiltinCall& c) {
 }
 
 /// any (`wanted` true) and all (false): functions with a list, or a list of truth values alone.
-template <bool wanted> Value quantified(BuiltinCall& c) {
+template <bool wanted>
+Value quantified(BuiltinCall& c) {
   const bool has_function = c.has(1);
   const auto n = size_of(c, has_function ? 1 : 0);
   if (!n) return Value::poison();
   for (std::size_t i = 0; i < *n; ++i) {
     const Value element = sequence_at(c[has_function ? 1 : 0], i);
     std::optional<bool> holds;
-    if (has_function) holds = ask(c, element);
-    else if (element.is(ValueKind::boolean)) holds = element.truth();
-    else if (!element.is_poison()) c.fail(0, "without a function, the list must hold truth values", "element " + std::to_string(i) + " is " + describe(element));
+    if (has_function)
+      holds = ask(c, element);
+    else if (element.is(ValueKind::boolean))
+      holds = element.truth();
+    else if (!element.is_poison())
+      c.fail(0, "without a function, the list must hold truth values",
+             "element " + std::to_string(i) + " is " + describe(element));
     if (!holds) return Value::poison();
     if (*holds == wanted) return Value::boolean(wanted);
   }
@@ -204,7 +216,8 @@ Value flattened(BuiltinCall& c) {
       items.push_back(element);
       continue;
     }
-    if (element.is(ValueKind::range) && !(count(element.range(), element.excludes_end()) < static_cast<double>(most_elements)))
+    if (element.is(ValueKind::range) &&
+        !(count(element.range(), element.excludes_end()) < static_cast<double>(most_elements)))
       return c.fail(0, "a range in this list has no end");
     const std::size_t inner = sequence_size(element);
     c.spend(inner, inner * sizeof(Value));
@@ -221,7 +234,9 @@ bool comes_before(const Value& a, const Value& b) {
 Value sorted(BuiltinCall& c) {
   const auto n = size_with_room(c, 0);
   if (!n) return Value::poison();
-  struct Keyed { Value key, element; };
+  struct Keyed {
+    Value key, element;
+  };
   std::vector<Keyed> rows;
   rows.reserve(*n);
   for (std::size_t i = 0; i < *n; ++i) {
@@ -231,7 +246,8 @@ Value sorted(BuiltinCall& c) {
     if (key.is_poison()) return key;
     const bool is_fine = (key.is_number() && !std::isnan(key.number())) || key.is(ValueKind::string);
     if (!is_fine || (i > 0 && key.kind() != rows[0].key.kind()))
-      return c.fail(c.has(1) ? 1 : 0, "lists are sorted by numbers or by strings, all of one kind", "element " + std::to_string(i) + " is " + describe(key));
+      return c.fail(c.has(1) ? 1 : 0, "lists are sorted by numbers or by strings, all of one kind",
+                    "element " + std::to_string(i) + " is " + describe(key));
     rows.push_back({std::move(key), std::move(element)});
   }
   std::ranges::stable_sort(rows, [](const Keyed& a, const Keyed& b) { return comes_before(a.key, b.key); });

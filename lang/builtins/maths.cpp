@@ -11,23 +11,42 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 
 /// `f` of a number, or of each number of a vector.
-template <double (*f)(double)> Value each(BuiltinCall& c) {
+template <double (*f)(double)>
+Value each(BuiltinCall& c) {
   if (c[0].is_number()) return f(c.number(0));
   const Vec3& v = c.vector(0);
   if (c[0].vector_size() == 2) return Value::point(f(v.x), f(v.y));
   return Vec3{f(v.x), f(v.y), f(v.z)};
 }
 
-double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
-double magnitude(double x) { return std::abs(x); }
-double floor_of(double x) { return std::floor(x); }
-double ceil_of(double x) { return std::ceil(x); }
-double round_of(double x) { return std::round(x); }
-double trunc_of(double x) { return std::trunc(x); }
+double sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : x;
+}
+double magnitude(double x) {
+  return std::abs(x);
+}
+double floor_of(double x) {
+  return std::floor(x);
+}
+double ceil_of(double x) {
+  return std::ceil(x);
+}
+double round_of(double x) {
+  return std::round(x);
+}
+double trunc_of(double x) {
+  return std::trunc(x);
+}
 
-Value sine(BuiltinCall& c) { return sin_degrees(c.number(0)); }
-Value cosine(BuiltinCall& c) { return cos_degrees(c.number(0)); }
-Value tangent(BuiltinCall& c) { return sin_degrees(c.number(0)) / cos_degrees(c.number(0)); }
+Value sine(BuiltinCall& c) {
+  return sin_degrees(c.number(0));
+}
+Value cosine(BuiltinCall& c) {
+  return cos_degrees(c.number(0));
+}
+Value tangent(BuiltinCall& c) {
+  return sin_degrees(c.number(0)) / cos_degrees(c.number(0));
+}
 
 /// The argument of asin or acos; rounding may have carried it a little beyond 1.
 std::optional<double> ratio(BuiltinCall& c) {
@@ -48,8 +67,12 @@ Value arc_cosine(BuiltinCall& c) {
   const auto x = ratio(c);
   return x ? Value(std::acos(*x) * degrees) : Value::poison();
 }
-Value arc_tangent(BuiltinCall& c) { return std::atan(c.number(0)) * degrees; }
-Value arc_tangent2(BuiltinCall& c) { return std::atan2(c.number(0), c.number(1)) * degrees; }
+Value arc_tangent(BuiltinCall& c) {
+  return std::atan(c.number(0)) * degrees;
+}
+Value arc_tangent2(BuiltinCall& c) {
+  return std::atan2(c.number(0), c.number(1)) * degrees;
+}
 
 Value square_root(BuiltinCall& c) {
   const double x = c.number(0);
@@ -57,17 +80,28 @@ Value square_root(BuiltinCall& c) {
   return std::sqrt(x);
 }
 
-template <double (*f)(double)> Value logarithm(BuiltinCall& c) {
+template <double (*f)(double)>
+Value logarithm(BuiltinCall& c) {
   const double x = c.number(0);
   if (x <= 0) return c.fail(0, "only a number greater than 0 has a logarithm", "this is " + format_number(x));
   return f(x);
 }
-double natural_log(double x) { return std::log(x); }
-double binary_log(double x) { return std::log2(x); }
-double decimal_log(double x) { return std::log10(x); }
+double natural_log(double x) {
+  return std::log(x);
+}
+double binary_log(double x) {
+  return std::log2(x);
+}
+double decimal_log(double x) {
+  return std::log10(x);
+}
 
-Value exponential(BuiltinCall& c) { return std::exp(c.number(0)); }
-Value power(BuiltinCall& c) { return std::pow(c.number(0), c.number(1)); }
+Value exponential(BuiltinCall& c) {
+  return std::exp(c.number(0));
+}
+Value power(BuiltinCall& c) {
+  return std::pow(c.number(0), c.number(1));
+}
 Value modulo(BuiltinCall& c) {
   const double a = c.number(0), b = c.number(1);
   return a - b * std::floor(a / b);
@@ -111,7 +145,8 @@ std::span<const Builtin> maths() {
       {"round", "x: number or point", "the nearest whole number; halves away from 0", each<round_of>},
       {"trunc", "x: number or point", "the whole part, towards 0", each<trunc_of>},
       {"clamp", "x: number, low: number = 0, high: number = 1", "x held between two bounds", clamped},
-      {"smoothstep", "low: number, high: number, x: number", "0 below low, 1 above high, an S-curve between", smooth_step},
+      {"smoothstep", "low: number, high: number, x: number", "0 below low, 1 above high, an S-curve between",
+       smooth_step},
       {"pow", "base: number, exponent: number", "base ^ exponent", power},
       {"exp", "x: number", "e ^ x", exponential},
       {"log", "x: number", "natural logarithm", logarithm<natural_log>},

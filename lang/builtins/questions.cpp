@@ -1,9 +1,9 @@
 #include "lang/builtins/builtins.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
-
-#include <fmt/format.h>
 
 namespace rt::lang {
 namespace {
@@ -13,9 +13,13 @@ bool is_pixel(BuiltinCall& c) {
   const scene::Resolution size = c.scene().size;
   for (std::size_t i = 0; i < 2; ++i) {
     const double n = c.number(i);
-    if (n != std::trunc(n)) return c.fail(i, "a pixel is counted in whole numbers; a point between pixel centres is `image_point(x, y)`", ""), false;
+    if (n != std::trunc(n))
+      return c.fail(i, "a pixel is counted in whole numbers; a point between pixel centres is `image_point(x, y)`", ""),
+             false;
     if (!(n >= 0 && n < size[i]))
-      return c.fail(i, fmt::format("there is no such pixel: the picture has {} × {}, counted from 0", size[0], size[1]), ""), false;
+      return c.fail(i, fmt::format("there is no such pixel: the picture has {} × {}, counted from 0", size[0], size[1]),
+                    ""),
+             false;
   }
   return true;
 }
@@ -60,7 +64,9 @@ Value image_point(BuiltinCall& c) {
   return observer ? as_value(c, observer->image_ray(c.number(0), c.number(1))) : Value::poison();
 }
 
-Value ray(BuiltinCall& c) { return is_ray(c) ? as_value(c, {c.vector(0), c.vector(1)}) : Value::poison(); }
+Value ray(BuiltinCall& c) {
+  return is_ray(c) ? as_value(c, {c.vector(0), c.vector(1)}) : Value::poison();
+}
 
 Value depth(BuiltinCall& c) {
   bool is_asked = false;
@@ -95,9 +101,12 @@ Value crossings(BuiltinCall& c) {
 std::span<const Builtin> questions() {
   static constexpr Builtin table[] = {
       {"pixel", "x: number, y: number", "the ray through the centre of a pixel; (0, 0) is top left", pixel},
-      {"image_point", "x: number, y: number", "the ray through a point of the picture; pixel (0, 0) has its centre at (0.5, 0.5)", image_point},
-      {"ray", "origin: vector, direction: vector, thing: any = ?", "any ray through the scene, or against one thing alone, placed or not", ray},
-      {"depth", "x: number, y: number", "the distance from the eye to what the pixel's centre shows; infinite for nothing", depth},
+      {"image_point", "x: number, y: number",
+       "the ray through a point of the picture; pixel (0, 0) has its centre at (0.5, 0.5)", image_point},
+      {"ray", "origin: vector, direction: vector, thing: any = ?",
+       "any ray through the scene, or against one thing alone, placed or not", ray},
+      {"depth", "x: number, y: number",
+       "the distance from the eye to what the pixel's centre shows; infinite for nothing", depth},
       {"normal", "x: number, y: number", "the unit normal there, out of the solid; `none` for nothing", normal},
       {"color", "x: number, y: number", "the light of a pixel, as a colour before it is rounded", color},
       {"crossings", "origin: vector, direction: vector, thing: any = ?", "t of all hits of a ray, in order", crossings},

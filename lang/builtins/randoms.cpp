@@ -35,23 +35,36 @@ Value random_number(BuiltinCall& c) {
   return static_cast<double>(*h >> 11) * 0x1p-53;
 }
 
-double fade_curve(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+double fade_curve(double t) {
+  return t * t * t * (t * (t * 6 - 15) + 10);
+}
 
-/// The gradient at a lattice point is one of the twelve from the middle of a cube to its edges; here its product with the
-/// offset from that point.
+/// The gradient at a lattice point is one of the twelve from the middle of a cube to its edges; here its product with
+/// the offset from that point.
 double gradient(std::uint64_t seed, double x, double y, double z, const Vec3& offset) {
-  static constexpr std::array<Vec3, 12> gradients{{{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0},
-                                                   {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
-                                                   {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}}};
+  static constexpr std::array<Vec3, 12> gradients{{{1, 1, 0},
+                                                   {-1, 1, 0},
+                                                   {1, -1, 0},
+                                                   {-1, -1, 0},
+                                                   {1, 0, 1},
+                                                   {-1, 0, 1},
+                                                   {1, 0, -1},
+                                                   {-1, 0, -1},
+                                                   {0, 1, 1},
+                                                   {0, -1, 1},
+                                                   {0, 1, -1},
+                                                   {0, -1, -1}}};
   std::uint64_t h = seed;
   for (const double k : {x, y, z}) h = scrambled(h ^ hash(Value(k)));
   return dot(gradients[h % gradients.size()], offset);
 }
 
-double mix(double a, double b, double t) { return a + (b - a) * t; }
+double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
 
-/// Gradient noise (K. Perlin, Improving Noise, SIGGRAPH 2002), with hashes in the place of its permutation table, so that
-/// it has no period.
+/// Gradient noise (K. Perlin, Improving Noise, SIGGRAPH 2002), with hashes in the place of its permutation table, so
+/// that it has no period.
 Value noise(BuiltinCall& c) {
   const auto seed = key_hash(c, 1);
   if (!seed) return Value::poison();
@@ -73,7 +86,8 @@ Value noise(BuiltinCall& c) {
 std::span<const Builtin> randoms() {
   static constexpr Builtin table[] = {
       {"random", "key…: any", "a number from 0 up to, but not including, 1 that belongs to the key", random_number},
-      {"noise_at", "p: point, seed…: any = ?", "smooth gradient noise, from -1 to 1 and 0 at points with whole coordinates", noise},
+      {"noise_at", "p: point, seed…: any = ?",
+       "smooth gradient noise, from -1 to 1 and 0 at points with whole coordinates", noise},
   };
   return table;
 }

@@ -12,10 +12,10 @@ enum class ArgumentType : std::uint16_t {
   number = 1,
   boolean = 2,
   string = 4,
-  vector = 8,    ///< three numbers
-  point = 16,    ///< two or three numbers
+  vector = 8, ///< three numbers
+  point = 16, ///< two or three numbers
   color = 32,
-  list = 64,     ///< a list, vector or range
+  list = 64, ///< a list, vector or range
   function = 128,
   any = 256,
 };
@@ -74,7 +74,8 @@ private:
   }
 
   static consteval unsigned type(std::string_view word) {
-    constexpr std::string_view words[] = {"number", "boolean", "string", "vector", "point", "color", "list", "function", "any"};
+    constexpr std::string_view words[] = {"number", "boolean", "string",   "vector", "point",
+                                          "color",  "list",    "function", "any"};
     for (std::size_t i = 0; i < std::size(words); ++i) {
       if (words[i] == word) return 1U << i;
     }

@@ -8,7 +8,9 @@ namespace rt::lang::builtins {
 namespace {
 
 /// A result of the same size as argument 0: plane vectors stay plane.
-Value like_first(BuiltinCall& c, const Vec3& v) { return c[0].vector_size() == 2 ? Value::point(v.x, v.y) : Value(v); }
+Value like_first(BuiltinCall& c, const Vec3& v) {
+  return c[0].vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
+}
 
 bool have_equal_sizes(BuiltinCall& c) {
   if (c[0].vector_size() == c[1].vector_size()) return true;
@@ -22,10 +24,18 @@ bool has_direction(BuiltinCall& c, std::size_t i) {
   return false;
 }
 
-Value dot_product(BuiltinCall& c) { return have_equal_sizes(c) ? Value(dot(c.vector(0), c.vector(1))) : Value::poison(); }
-Value cross_product(BuiltinCall& c) { return cross(c.vector(0), c.vector(1)); }
-Value length_of(BuiltinCall& c) { return length(c.vector(0)); }
-Value unit_vector(BuiltinCall& c) { return has_direction(c, 0) ? like_first(c, normalize(c.vector(0))) : Value::poison(); }
+Value dot_product(BuiltinCall& c) {
+  return have_equal_sizes(c) ? Value(dot(c.vector(0), c.vector(1))) : Value::poison();
+}
+Value cross_product(BuiltinCall& c) {
+  return cross(c.vector(0), c.vector(1));
+}
+Value length_of(BuiltinCall& c) {
+  return length(c.vector(0));
+}
+Value unit_vector(BuiltinCall& c) {
+  return has_direction(c, 0) ? like_first(c, normalize(c.vector(0))) : Value::poison();
+}
 Value distance_between(BuiltinCall& c) {
   return have_equal_sizes(c) ? Value(length(c.vector(1) - c.vector(0))) : Value::poison();
 }

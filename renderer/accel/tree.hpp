@@ -90,8 +90,8 @@ public:
   /// Shows it to `blocks`, in no particular order; true if one of them returned true.
   bool blocks(Query& query) const;
 
-  /// The same for up to `packet_size` queries with rays that run close together: each is shown the same leaves, and what
-  /// the callbacks decide does not depend on its company.
+  /// The same for up to `packet_size` queries with rays that run close together: each is shown the same leaves, and
+  /// what the callbacks decide does not depend on its company.
   void nearest(std::span<Query* const> queries) const;
   /// One answer for each query.
   std::array<bool, packet_size> blocks(std::span<Query* const> queries) const;
@@ -144,8 +144,7 @@ private:
     }
     RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
     for (unsigned lane = 0; lane < args->N; ++lane)
-      if (args->valid[lane] != 0)
-        show(*queries[RTCRayN_id(rays, args->N, lane)], RTCRayN_tfar(rays, args->N, lane));
+      if (args->valid[lane] != 0) show(*queries[RTCRayN_id(rays, args->N, lane)], RTCRayN_tfar(rays, args->N, lane));
   }
   template <class Leaves, class ShadowQuery>
   static void on_blocks(const RTCOccludedFunctionNArguments* args) {

@@ -1,9 +1,5 @@
 #include "renderer/image/formats.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <stdexcept>
-
 #include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -13,6 +9,10 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
 
 namespace rt::image {
 namespace {
@@ -61,11 +61,13 @@ struct Channel {
 };
 constexpr Channel color_channels[] = {{"R", Imf::FLOAT, 0}, {"G", Imf::FLOAT, 4}, {"B", Imf::FLOAT, 8}};
 constexpr Channel depth_channels[] = {{"depth.Z", Imf::FLOAT, 0}};
-constexpr Channel normal_channels[] = {{"normal.X", Imf::FLOAT, 0}, {"normal.Y", Imf::FLOAT, 4}, {"normal.Z", Imf::FLOAT, 8}};
+constexpr Channel normal_channels[] = {
+    {"normal.X", Imf::FLOAT, 0}, {"normal.Y", Imf::FLOAT, 4}, {"normal.Z", Imf::FLOAT, 8}};
 constexpr Channel position_channels[] = {
     {"position.X", Imf::FLOAT, 0}, {"position.Y", Imf::FLOAT, 4}, {"position.Z", Imf::FLOAT, 8}};
 constexpr Channel object_channels[] = {{"object.id", Imf::UINT, 0}};
-constexpr Channel albedo_channels[] = {{"albedo.R", Imf::FLOAT, 0}, {"albedo.G", Imf::FLOAT, 4}, {"albedo.B", Imf::FLOAT, 8}};
+constexpr Channel albedo_channels[] = {
+    {"albedo.R", Imf::FLOAT, 0}, {"albedo.G", Imf::FLOAT, 4}, {"albedo.B", Imf::FLOAT, 8}};
 
 /// Adds a slice for each channel to a frame buffer over `pixels`, whose first one stands at `origin` in the file.
 template <std::size_t N, class Pixel>
@@ -78,13 +80,16 @@ void add_slices(Imf::FrameBuffer& frame, const Channel (&channels)[N], std::vect
   }
 }
 
-template <std::size_t N> bool has_all(const Imf::ChannelList& list, const Channel (&channels)[N]) {
+template <std::size_t N>
+bool has_all(const Imf::ChannelList& list, const Channel (&channels)[N]) {
   return std::all_of(std::begin(channels), std::end(channels),
                      [&](const Channel& channel) { return list.findChannel(channel.name) != nullptr; });
 }
 
-/// Calls f(channels, pixels) for colour and for every layer of the film; `depth` stands for the film's own, which is double.
-template <class F> void for_each_layer(Film& film, std::vector<float>& depth, F&& f) {
+/// Calls f(channels, pixels) for colour and for every layer of the film; `depth` stands for the film's own, which is
+/// double.
+template <class F>
+void for_each_layer(Film& film, std::vector<float>& depth, F&& f) {
   f(depth_channels, depth);
   f(normal_channels, film.normal);
   f(position_channels, film.position);
@@ -128,7 +133,9 @@ Image decode_exr(std::string_view bytes, const std::string& name) try {
   Imf::InputFile file(input, 0);
   const Imf::ChannelList& list = file.header().channels();
   const Imath::Box2i window = file.header().dataWindow();
-  const auto extent = [](int min, int max) { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, std::int64_t{max} - min + 1)); };
+  const auto extent = [](int min, int max) {
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(0, std::int64_t{max} - min + 1));
+  };
   Image image = empty_image(extent(window.min.x, window.max.x), extent(window.min.y, window.max.y), 32, name);
 
   Imf::FrameBuffer frame;

@@ -1,13 +1,13 @@
 #include "renderer/image/file.hpp"
 
-#include <cerrno>
-#include <filesystem>
-#include <system_error>
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
 
 namespace rt {
 namespace {
@@ -138,7 +138,9 @@ Target writable_target(const std::string& path) {
 
 } // namespace
 
-void require_writable(const std::string& path) { writable_target(path); }
+void require_writable(const std::string& path) {
+  writable_target(path);
+}
 
 void replace_file(const std::string& path, std::string_view bytes) {
   const Target target = writable_target(path);

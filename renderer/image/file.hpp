@@ -8,9 +8,9 @@ namespace rt {
 /// The whole of a file. Throws std::system_error, which names the path.
 std::string read_file(const std::string& path);
 
-/// Makes `bytes` the content of a file, whole or not at all: they go to a temporary file beside it, which is then renamed.
-/// On failure an old file stays as it was, nothing new is left behind, and a std::system_error names the path. A symbolic
-/// link is followed; what is no regular file (a device, a pipe) is written to directly.
+/// Makes `bytes` the content of a file, whole or not at all: they go to a temporary file beside it, which is then
+/// renamed. On failure an old file stays as it was, nothing new is left behind, and a std::system_error names the path.
+/// A symbolic link is followed; what is no regular file (a device, a pipe) is written to directly.
 void replace_file(const std::string& path, std::string_view bytes);
 
 /// Throws what `replace_file` would throw for a folder that is missing or may not be written, without writing anything.

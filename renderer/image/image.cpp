@@ -3,11 +3,11 @@
 #include "renderer/image/file.hpp"
 #include "renderer/image/formats.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 namespace rt {
 namespace {
@@ -16,10 +16,8 @@ struct NamedFormat {
   std::string_view name;
   ImageFormat format;
 };
-constexpr std::array<NamedFormat, 4> formats{{{"png", ImageFormat::png},
-                                              {"exr", ImageFormat::exr},
-                                              {"ppm", ImageFormat::ppm},
-                                              {"pfm", ImageFormat::pfm}}};
+constexpr std::array<NamedFormat, 4> formats{
+    {{"png", ImageFormat::png}, {"exr", ImageFormat::exr}, {"ppm", ImageFormat::ppm}, {"pfm", ImageFormat::pfm}}};
 
 } // namespace
 
@@ -39,10 +37,14 @@ std::optional<ImageFormat> format_of(std::string_view path) {
 
 std::string encode(const Film& film, ImageFormat format, const EncodeOptions& options) {
   switch (format) {
-  case ImageFormat::png: return image::encode_png(film, options);
-  case ImageFormat::exr: return image::encode_exr(film, options);
-  case ImageFormat::ppm: return image::encode_ppm(film, options);
-  case ImageFormat::pfm: return image::encode_pfm(film);
+  case ImageFormat::png:
+    return image::encode_png(film, options);
+  case ImageFormat::exr:
+    return image::encode_exr(film, options);
+  case ImageFormat::ppm:
+    return image::encode_ppm(film, options);
+  case ImageFormat::pfm:
+    return image::encode_pfm(film);
   }
   return {};
 }
@@ -57,7 +59,9 @@ Image decode(std::string_view bytes, const std::string& name, Transfer assumed) 
   throw std::runtime_error(fmt::format("`{}` is no picture that can be read (png, exr, ppm, pgm or pfm)", name));
 }
 
-Image read_image(const std::string& path, Transfer assumed) { return decode(read_file(path), path, assumed); }
+Image read_image(const std::string& path, Transfer assumed) {
+  return decode(read_file(path), path, assumed);
+}
 
 namespace image {
 

@@ -24,8 +24,8 @@ struct EncodeOptions {
   std::vector<std::pair<std::string, std::string>> text;
 };
 
-/// The bytes of the file, the same for the same arguments on every machine: they hold no time stamp. Colours beyond 0 to 1
-/// are clipped in png and ppm, kept in exr and pfm. Only exr holds the film's layers.
+/// The bytes of the file, the same for the same arguments on every machine: they hold no time stamp. Colours beyond 0
+/// to 1 are clipped in png and ppm, kept in exr and pfm. Only exr holds the film's layers.
 std::string encode(const Film& film, ImageFormat format, const EncodeOptions& options);
 
 /// What the whole numbers of a picture mean where its file does not say so: sRGB, or light itself.
@@ -36,9 +36,10 @@ struct Image : Film {
   int bits = 8; ///< of a sample in the file: 8, 16 or 32
 };
 
-/// Reads png, exr, ppm, pgm and pfm, told apart by their first bytes; transparency is ignored. png files are taken at their
-/// word (the chunks sRGB and gAMA); `assumed` is for those without one and for ppm and pgm. Throws std::system_error for a
-/// file that cannot be read and std::runtime_error for one that is no such picture, both with the path in their message.
+/// Reads png, exr, ppm, pgm and pfm, told apart by their first bytes; transparency is ignored. png files are taken at
+/// their word (the chunks sRGB and gAMA); `assumed` is for those without one and for ppm and pgm. Throws
+/// std::system_error for a file that cannot be read and std::runtime_error for one that is no such picture, both with
+/// the path in their message.
 Image read_image(const std::string& path, Transfer assumed = Transfer::srgb);
 /// The same for a file's bytes; `name` is for messages.
 Image decode(std::string_view bytes, const std::string& name, Transfer assumed = Transfer::srgb);

@@ -2,18 +2,18 @@
 #include "renderer/image/quantise.hpp"
 #include "renderer/math/color.hpp"
 
+#include <fmt/format.h>
+#include <png.h>
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
 #include <stdexcept>
 
-#include <fmt/format.h>
-#include <png.h>
-#include <zlib.h>
-
-// libpng reports errors by longjmp, which skips destructors: the functions that call setjmp hold nothing but references to
-// what their callers own.
+// libpng reports errors by longjmp, which skips destructors: the functions that call setjmp hold nothing but references
+// to what their callers own.
 namespace rt::image {
 namespace {
 
@@ -75,8 +75,8 @@ bool write(Writer& writer, const Film& film, int bits, const SrgbQuantiser& quan
   // Measured on rendered pictures: a tenth of the time that the defaults take, for files a seventh larger.
   png_set_compression_strategy(writer.png, Z_RLE);
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(film.width), static_cast<png_uint_32>(film.height), bits,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(film.width), static_cast<png_uint_32>(film.height),
+               bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!texts.empty()) png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
   png_write_info(writer.png, writer.info);
@@ -118,8 +118,10 @@ std::vector<float> light_of_samples(const Reader& reader, int bits, Transfer ass
   std::vector<float> light(std::size_t{1} << bits);
   for (std::size_t i = 0; i < light.size(); ++i) {
     const double v = static_cast<double>(i) / static_cast<double>(light.size() - 1);
-    if (has_gamma) light[i] = static_cast<float>(std::pow(v, 1 / gamma));
-    else light[i] = static_cast<float>(is_srgb || assumed == Transfer::srgb ? srgb_to_linear(v) : v);
+    if (has_gamma)
+      light[i] = static_cast<float>(std::pow(v, 1 / gamma));
+    else
+      light[i] = static_cast<float>(is_srgb || assumed == Transfer::srgb ? srgb_to_linear(v) : v);
   }
   return light;
 }
@@ -147,11 +149,10 @@ std::string encode_png(const Film& film, const EncodeOptions& options) {
 
 Image decode_png(std::string_view bytes, const std::string& name, Transfer assumed) {
   Reader reader;
-  if (!read_header(reader, bytes))
-    throw std::runtime_error(fmt::format("`{}` cannot be read: {}", name, reader.error));
+  if (!read_header(reader, bytes)) throw std::runtime_error(fmt::format("`{}` cannot be read: {}", name, reader.error));
   const int bits = png_get_bit_depth(reader.png, reader.info);
-  Image image = empty_image(png_get_image_width(reader.png, reader.info),
-                            png_get_image_height(reader.png, reader.info), bits, name);
+  Image image = empty_image(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
+                            bits, name);
 
   const std::size_t row_size = png_get_rowbytes(reader.png, reader.info);
   std::vector<png_byte> pixels(row_size * static_cast<std::size_t>(image.height));

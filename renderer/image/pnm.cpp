@@ -2,13 +2,13 @@
 #include "renderer/image/quantise.hpp"
 #include "renderer/math/color.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 namespace rt::image {
 namespace {

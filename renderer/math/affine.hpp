@@ -48,7 +48,8 @@ constexpr Affine operator*(const Affine& a, const Affine& b) {
 /// The inverse map; nothing if the determinant is zero or not finite.
 std::optional<Affine> inverse(const Affine& a);
 
-/// The factor by which the map enlarges all lengths alike, if it does (to 1e-14): it turns, mirrors, moves and scales only.
+/// The factor by which the map enlarges all lengths alike, if it does (to 1e-14): it turns, mirrors, moves and scales
+/// only.
 std::optional<double> similarity_scale(const Affine& a);
 
 /// The smallest box around the image of `box`; infinite sides stay infinite.

@@ -22,13 +22,27 @@ struct Color {
 inline constexpr Color black{0, 0, 0};
 inline constexpr Color white{1, 1, 1};
 
-constexpr Color grey(double v) { return {v, v, v}; }
-constexpr Color operator+(const Color& a, const Color& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-constexpr Color operator-(const Color& a, const Color& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-constexpr Color operator*(const Color& a, const Color& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-constexpr Color operator*(const Color& a, double s) { return {a.r * s, a.g * s, a.b * s}; }
-constexpr Color operator*(double s, const Color& a) { return a * s; }
-constexpr double max_component(const Color& c) { return std::max({c.r, c.g, c.b}); }
+constexpr Color grey(double v) {
+  return {v, v, v};
+}
+constexpr Color operator+(const Color& a, const Color& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+constexpr Color operator-(const Color& a, const Color& b) {
+  return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+constexpr Color operator*(const Color& a, const Color& b) {
+  return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+constexpr Color operator*(const Color& a, double s) {
+  return {a.r * s, a.g * s, a.b * s};
+}
+constexpr Color operator*(double s, const Color& a) {
+  return a * s;
+}
+constexpr double max_component(const Color& c) {
+  return std::max({c.r, c.g, c.b});
+}
 
 /// sRGB's transfer function (IEC 61966-2-1), odd-symmetric below zero: encoded value to linear light and back.
 double srgb_to_linear(double encoded);

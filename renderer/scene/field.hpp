@@ -42,15 +42,15 @@ struct Choice {
 enum class FieldType : std::uint8_t {
   number,
   boolean,
-  vector,        ///< three numbers
-  size,          ///< three numbers, or one number for all three
-  color,         ///< a colour, or a number as linear grey
-  paint,         ///< a colour, a number as grey, or a pattern
-  number_paint,  ///< a number, or a pattern of numbers
-  points,        ///< a list of points
-  choice,        ///< one of `Field::choices`, written as a bare name
-  fade,          ///< linear(d), quadratic(d) or inverse_square
-  resolution,    ///< two whole numbers, width and height
+  vector,       ///< three numbers
+  size,         ///< three numbers, or one number for all three
+  color,        ///< a colour, or a number as linear grey
+  paint,        ///< a colour, a number as grey, or a pattern
+  number_paint, ///< a number, or a pattern of numbers
+  points,       ///< a list of points
+  choice,       ///< one of `Field::choices`, written as a bare name
+  fade,         ///< linear(d), quadratic(d) or inverse_square
+  resolution,   ///< two whole numbers, width and height
 };
 
 /// Width and height in pixels.
@@ -64,9 +64,9 @@ struct Constraint {
   double max = std::numeric_limits<double>::infinity();
   bool min_is_excluded = false;
   bool max_is_excluded = false;
-  bool is_whole = false;     ///< whole numbers only
-  bool is_nonzero = false;   ///< a vector that must have a direction, or a number that must not be 0
-  int min_count = 0;         ///< points
+  bool is_whole = false;   ///< whole numbers only
+  bool is_nonzero = false; ///< a vector that must have a direction, or a number that must not be 0
+  int min_count = 0;       ///< points
   int max_count = std::numeric_limits<int>::max();
 };
 
@@ -80,7 +80,8 @@ inline constexpr Constraint nonzero{.is_nonzero = true};
 struct Field {
   std::string_view name;
   FieldType type;
-  /// Properties of different forms exclude each other (a plane is `normal` and `offset`, or `y`); 0 goes with every form.
+  /// Properties of different forms exclude each other (a plane is `normal` and `offset`, or `y`); 0 goes with every
+  /// form.
   int form;
   Constraint constraint;
   std::string_view default_text; ///< as it would be written; empty where there is none
@@ -93,46 +94,75 @@ struct Field {
 
 namespace detail {
 
-template <class Member> struct MemberOf;
-template <class O, class T> struct MemberOf<T O::*> {
+template <class Member>
+struct MemberOf;
+template <class O, class T>
+struct MemberOf<T O::*> {
   using Owner = O;
   using Type = T;
 };
 
-template <class T> struct Unwrap { using Type = T; };
-template <class T> struct Unwrap<std::optional<T>> { using Type = T; };
+template <class T>
+struct Unwrap {
+  using Type = T;
+};
+template <class T>
+struct Unwrap<std::optional<T>> {
+  using Type = T;
+};
 
-template <class T> constexpr bool is_points = std::is_same_v<T, std::vector<Vec3>>;
-template <std::size_t N> constexpr bool is_points<std::array<Vec3, N>> = true;
+template <class T>
+constexpr bool is_points = std::is_same_v<T, std::vector<Vec3>>;
+template <std::size_t N>
+constexpr bool is_points<std::array<Vec3, N>> = true;
 
-template <class T> FieldValue to_value(const T& member) {
-  if constexpr (std::is_enum_v<T>) return Choice{static_cast<int>(member)};
-  else if constexpr (std::is_same_v<T, int>) return static_cast<double>(member);
-  else if constexpr (is_points<T>) return std::vector<Vec3>(member.begin(), member.end());
-  else return member;
+template <class T>
+FieldValue to_value(const T& member) {
+  if constexpr (std::is_enum_v<T>)
+    return Choice{static_cast<int>(member)};
+  else if constexpr (std::is_same_v<T, int>)
+    return static_cast<double>(member);
+  else if constexpr (is_points<T>)
+    return std::vector<Vec3>(member.begin(), member.end());
+  else
+    return member;
 }
 
-template <class T> T from_value(const FieldValue& value) {
-  if constexpr (std::is_enum_v<T>) return static_cast<T>(std::get<Choice>(value).index);
-  else if constexpr (std::is_same_v<T, int>) return static_cast<int>(std::get<double>(value));
+template <class T>
+T from_value(const FieldValue& value) {
+  if constexpr (std::is_enum_v<T>)
+    return static_cast<T>(std::get<Choice>(value).index);
+  else if constexpr (std::is_same_v<T, int>)
+    return static_cast<int>(std::get<double>(value));
   else if constexpr (is_points<T> && !std::is_same_v<T, std::vector<Vec3>>) {
     T points{};
     const auto& given = std::get<std::vector<Vec3>>(value);
     for (std::size_t i = 0; i < points.size() && i < given.size(); ++i) points[i] = given[i];
     return points;
-  } else return std::get<T>(value);
+  } else
+    return std::get<T>(value);
 }
 
-template <class T> constexpr FieldType default_type() {
-  if constexpr (std::is_same_v<T, bool>) return FieldType::boolean;
-  else if constexpr (std::is_same_v<T, Vec3>) return FieldType::vector;
-  else if constexpr (std::is_same_v<T, Color>) return FieldType::color;
-  else if constexpr (std::is_same_v<T, Paint>) return FieldType::paint;
-  else if constexpr (std::is_same_v<T, Fade>) return FieldType::fade;
-  else if constexpr (std::is_same_v<T, Resolution>) return FieldType::resolution;
-  else if constexpr (is_points<T>) return FieldType::points;
-  else if constexpr (std::is_enum_v<T>) return FieldType::choice;
-  else return FieldType::number;
+template <class T>
+constexpr FieldType default_type() {
+  if constexpr (std::is_same_v<T, bool>)
+    return FieldType::boolean;
+  else if constexpr (std::is_same_v<T, Vec3>)
+    return FieldType::vector;
+  else if constexpr (std::is_same_v<T, Color>)
+    return FieldType::color;
+  else if constexpr (std::is_same_v<T, Paint>)
+    return FieldType::paint;
+  else if constexpr (std::is_same_v<T, Fade>)
+    return FieldType::fade;
+  else if constexpr (std::is_same_v<T, Resolution>)
+    return FieldType::resolution;
+  else if constexpr (is_points<T>)
+    return FieldType::points;
+  else if constexpr (std::is_enum_v<T>)
+    return FieldType::choice;
+  else
+    return FieldType::number;
 }
 
 } // namespace detail
@@ -147,22 +177,29 @@ struct FieldText {
   std::span<const std::string_view> choices = {};
 };
 
-/// The table row for `Member`, a pointer to a data member: `field<&Sphere::radius>("radius", {.default_text = "1", …})`.
-/// `set` expects the FieldValue alternative that belongs to the member's type.
-template <auto Member> constexpr Field field(std::string_view name, const FieldText& text) {
+/// The table row for `Member`, a pointer to a data member: `field<&Sphere::radius>("radius", {.default_text = "1",
+/// …})`. `set` expects the FieldValue alternative that belongs to the member's type.
+template <auto Member>
+constexpr Field field(std::string_view name, const FieldText& text) {
   using Owner = typename detail::MemberOf<decltype(Member)>::Owner;
   using Stored = typename detail::MemberOf<decltype(Member)>::Type;
   using T = typename detail::Unwrap<Stored>::Type;
-  return {name, text.type.value_or(detail::default_type<T>()), text.form, text.constraint, text.default_text, text.help,
-          text.choices,
-          [](void* owner, const FieldValue& value) {
-            static_cast<Owner*>(owner)->*Member = detail::from_value<T>(value);
-          },
-          [](const void* owner) -> std::optional<FieldValue> {
-            const Stored& member = static_cast<const Owner*>(owner)->*Member;
-            if constexpr (std::is_same_v<Stored, T>) return detail::to_value<T>(member);
-            else return member ? std::optional<FieldValue>(detail::to_value<T>(*member)) : std::nullopt;
-          }};
+  return {
+      name,
+      text.type.value_or(detail::default_type<T>()),
+      text.form,
+      text.constraint,
+      text.default_text,
+      text.help,
+      text.choices,
+      [](void* owner, const FieldValue& value) { static_cast<Owner*>(owner)->*Member = detail::from_value<T>(value); },
+      [](const void* owner) -> std::optional<FieldValue> {
+        const Stored& member = static_cast<const Owner*>(owner)->*Member;
+        if constexpr (std::is_same_v<Stored, T>)
+          return detail::to_value<T>(member);
+        else
+          return member ? std::optional<FieldValue>(detail::to_value<T>(*member)) : std::nullopt;
+      }};
 }
 
 /// Why a description that passes every field's constraint is still not a shape, light, …: two points coincide, a

@@ -15,13 +15,18 @@ constexpr std::string_view projection_choices[] = {"perspective", "orthographic"
 std::span<const Field> material_fields() {
   static constexpr Field table[] = {
       field<&Material::color>("color", {"white", "colour or pattern of the surface", not_negative}),
-      field<&Material::ambient>("ambient", {"1", "share of the scene's ambient light that is given back", not_negative, 0, FieldType::number_paint}),
-      field<&Material::diffuse>("diffuse", {"0.8", "share of a light that is scattered (Lambert)", not_negative, 0, FieldType::number_paint}),
-      field<&Material::emission>("emission", {"0", "light given off without any lamp, in the surface's colour", not_negative, 0, FieldType::number_paint}),
+      field<&Material::ambient>("ambient", {"1", "share of the scene's ambient light that is given back", not_negative,
+                                            0, FieldType::number_paint}),
+      field<&Material::diffuse>(
+          "diffuse", {"0.8", "share of a light that is scattered (Lambert)", not_negative, 0, FieldType::number_paint}),
+      field<&Material::emission>("emission", {"0", "light given off without any lamp, in the surface's colour",
+                                              not_negative, 0, FieldType::number_paint}),
       field<&Material::specular>("specular", {"0", "strength of the highlight", not_negative}),
       field<&Material::shininess>("shininess", {"32", "exponent of the highlight: the higher, the smaller", positive}),
-      field<&Material::highlight>("highlight", {"blinn", "blinn: half-way vector; phong: mirrored light vector", any_value, 0, std::nullopt, highlight_choices}),
-      field<&Material::metallic>("metallic", {"0", "how much highlight and mirror take the surface's colour, 0 to 1", zero_to_one}),
+      field<&Material::highlight>("highlight", {"blinn", "blinn: half-way vector; phong: mirrored light vector",
+                                                any_value, 0, std::nullopt, highlight_choices}),
+      field<&Material::metallic>("metallic",
+                                 {"0", "how much highlight and mirror take the surface's colour, 0 to 1", zero_to_one}),
       field<&Material::reflect>("reflect", {"0", "weight of the mirrored ray, a number or a colour", not_negative}),
       field<&Material::refract>("refract", {"0", "weight of the refracted ray, 0 (opaque) to 1", zero_to_one}),
       field<&Material::ior>("ior", {"1", "index of refraction of the inside", positive}),
@@ -43,7 +48,8 @@ std::span<const Field> fields(const PointLight*) {
       field<&PointLight::at>("at", {"[0, 0, 0]", "position"}),
       field<&PointLight::color>("color", {"white", "colour of the light", not_negative}),
       field<&PointLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
-      field<&PointLight::fade>("fade", {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
+      field<&PointLight::fade>("fade",
+                               {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
       field<&PointLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
   };
   return table;
@@ -65,19 +71,26 @@ std::span<const Field> fields(const SpotLight*) {
       field<&SpotLight::at>("at", {"[0, 3, 0]", "position"}),
       field<&SpotLight::look_at>("look_at", {"[0, 0, 0]", "point on the axis of the cone"}),
       field<&SpotLight::angle>("angle", {"40", "full angle of the cone of full light, degrees", cone}),
-      field<&SpotLight::falloff>("falloff", {"angle", "full angle of the cone outside of which there is no light, degrees", cone}),
+      field<&SpotLight::falloff>("falloff",
+                                 {"angle", "full angle of the cone outside of which there is no light, degrees", cone}),
       field<&SpotLight::color>("color", {"white", "colour of the light", not_negative}),
       field<&SpotLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
-      field<&SpotLight::fade>("fade", {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
+      field<&SpotLight::fade>("fade",
+                              {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
       field<&SpotLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
   };
   return table;
 }
 
-std::optional<Problem> check(const PointLight&) { return std::nullopt; }
-std::optional<Problem> check(const SunLight&) { return std::nullopt; }
+std::optional<Problem> check(const PointLight&) {
+  return std::nullopt;
+}
+std::optional<Problem> check(const SunLight&) {
+  return std::nullopt;
+}
 std::optional<Problem> check(const SpotLight& light) {
-  if (light.at == light.look_at) return Problem{"look_at", "a spot needs a direction: `look_at` is where it stands (`at`)"};
+  if (light.at == light.look_at)
+    return Problem{"look_at", "a spot needs a direction: `look_at` is where it stands (`at`)"};
   if (light.falloff && *light.falloff < light.angle)
     return Problem{"falloff", "`falloff` is the outer cone: it must not be smaller than `angle`"};
   return std::nullopt;
@@ -90,20 +103,23 @@ std::span<const Field> fields(const Camera*) {
       field<&Camera::look_at>("look_at", {"[0, 0, 0]", "point in the middle of the picture"}),
       field<&Camera::up>("up", {"[0, 1, 0]", "the direction that is up in the picture", nonzero}),
       field<&Camera::fov>("fov", {"50", "horizontal angle of view, degrees", view}),
-      field<&Camera::projection>("projection", {"perspective", "perspective or orthographic", any_value, 0, std::nullopt, projection_choices}),
+      field<&Camera::projection>(
+          "projection", {"perspective", "perspective or orthographic", any_value, 0, std::nullopt, projection_choices}),
       field<&Camera::width>("width", {"4", "width of an orthographic view", positive}),
   };
   return table;
 }
 
 std::optional<Problem> check(const Camera& camera) {
-  if (camera.at == camera.look_at) return Problem{"look_at", "the camera needs a direction: `look_at` is where it stands (`at`)"};
+  if (camera.at == camera.look_at)
+    return Problem{"look_at", "the camera needs a direction: `look_at` is where it stands (`at`)"};
   const Vec3 f = camera.look_at - camera.at;
   if (length(cross(f, camera.up)) <= 1e-12 * length(f) * length(camera.up)) {
     // Seen from straight above, what is far away for a camera at its default place is at the top.
     const bool is_vertical = std::abs(f.y) > std::max(std::abs(f.x), std::abs(f.z));
     return Problem{"up", "`up` is parallel to the view, so it does not say what is up in the picture",
-                   std::string("write another direction, for instance `up: ") + (is_vertical ? "[0, 0, -1]`" : "[0, 1, 0]`")};
+                   std::string("write another direction, for instance `up: ") +
+                       (is_vertical ? "[0, 0, -1]`" : "[0, 1, 0]`")};
   }
   return std::nullopt;
 }

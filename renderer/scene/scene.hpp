@@ -52,8 +52,8 @@ Affine to_parent(const Scene& scene, const Object& object);
 /// The light's map from where its fields hold to the scene.
 Affine to_world(const Light& light);
 
-/// The box around an object in its parent's space, and around all visible ones; infinite where a shape is, up to rounding.
-/// Asking for many instances of a group one by one computes the group's box each time.
+/// The box around an object in its parent's space, and around all visible ones; infinite where a shape is, up to
+/// rounding. Asking for many instances of a group one by one computes the group's box each time.
 Box3 bounds(const Scene& scene, const Object& object);
 Box3 bounds(const Scene& scene);
 /// The box around the finite visible objects: what a camera that was not written frames. Empty where there are none.

@@ -8,12 +8,24 @@ Affine about(const Affine& map, const Vec3& fixed) {
   return Affine::translating(fixed) * map * Affine::translating(-fixed);
 }
 
-Affine linear(const ScaleStep& s) { return about(Affine::scaling(s.factors), s.about); }
-Affine linear(const RotateStep& s) { return about(Affine::rotating_xyz(s.degrees), s.about); }
-Affine linear(const RotateAxisStep& s) { return about(Affine::rotating(s.axis, s.degrees), s.about); }
-Affine linear(const MoveStep& s) { return Affine::translating(s.offset); }
-Affine linear(const ShearStep& s) { return about({{1, s.yx, s.zx}, {s.xy, 1, s.zy}, {s.xz, s.yz, 1}, {}}, s.about); }
-Affine linear(const MatrixStep& s) { return s.matrix; }
+Affine linear(const ScaleStep& s) {
+  return about(Affine::scaling(s.factors), s.about);
+}
+Affine linear(const RotateStep& s) {
+  return about(Affine::rotating_xyz(s.degrees), s.about);
+}
+Affine linear(const RotateAxisStep& s) {
+  return about(Affine::rotating(s.axis, s.degrees), s.about);
+}
+Affine linear(const MoveStep& s) {
+  return Affine::translating(s.offset);
+}
+Affine linear(const ShearStep& s) {
+  return about({{1, s.yx, s.zx}, {s.xy, 1, s.zy}, {s.xz, s.yz, 1}, {}}, s.about);
+}
+Affine linear(const MatrixStep& s) {
+  return s.matrix;
+}
 
 // Householder's reflection, p − 2 (n·p) n.
 Affine linear(const MirrorStep& s) {
@@ -29,7 +41,8 @@ Affine matrix(const Step& step) {
 }
 
 Affine matrix(const Placement& placement) {
-  Affine map = Affine::translating(placement.at) * Affine::rotating_xyz(placement.rotate) * Affine::scaling(placement.scale);
+  Affine map =
+      Affine::translating(placement.at) * Affine::rotating_xyz(placement.rotate) * Affine::scaling(placement.scale);
   for (const Step& step : placement.chain) map = matrix(step) * map;
   return map;
 }

@@ -11,7 +11,8 @@
 /// POV-Ray exporter) does that on its own.
 namespace rt::scene {
 
-/// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin unless given.
+/// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin unless
+/// given.
 struct ScaleStep {
   Vec3 factors{1, 1, 1};
   Vec3 about{};
@@ -58,8 +59,8 @@ struct Placement {
 Affine matrix(const Step& step);
 Affine matrix(const Placement& placement);
 
-/// Index into `Scene::turns`, `no_turn` where there is neither scale, rotation nor chain: almost every object of a large
-/// scene, which is why `Object` keeps only `at` itself.
+/// Index into `Scene::turns`, `no_turn` where there is neither scale, rotation nor chain: almost every object of a
+/// large scene, which is why `Object` keeps only `at` itself.
 enum class TurnId : std::uint32_t {};
 inline constexpr TurnId no_turn{0xffffffff};
 

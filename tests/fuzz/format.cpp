@@ -1,6 +1,7 @@
 // Whatever parses is formatted faithfully, and formatting again changes nothing. Run as fuzz_parse is.
 
 #include "lang/format.hpp"
+
 #include "lang/parse.hpp"
 
 #include <cstdint>

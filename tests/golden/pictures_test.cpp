@@ -1,5 +1,6 @@
-// A small picture by POV-Ray for every example and every feature by itself: ours must show the same objects, at the same
-// distances, in the same colours. This needs no POV-Ray; `tools/update_goldens`, which writes the pictures anew, does.
+// A small picture by POV-Ray for every example and every feature by itself: ours must show the same objects, at the
+// same distances, in the same colours. This needs no POV-Ray; `tools/update_goldens`, which writes the pictures anew,
+// does.
 
 #include "lang/load.hpp"
 #include "renderer/image/file.hpp"
@@ -42,15 +43,22 @@ Scenes all_scenes() {
     for (const auto& entry : fs::directory_iterator(place)) {
       const fs::path file = entry.path();
       if (file.extension() == ".rtl")
-        scenes.emplace(prefix + file.stem().string(), scene_of(lang::load_file(file.string(), {}), file.string(), example_width));
+        scenes.emplace(prefix + file.stem().string(),
+                       scene_of(lang::load_file(file.string(), {}), file.string(), example_width));
     }
   return scenes;
 }
 
-std::string path_of(const std::string& name) { return (folder / (name + ".png")).string(); }
-std::string index_path() { return (folder / "exports").string(); }
+std::string path_of(const std::string& name) {
+  return (folder / (name + ".png")).string();
+}
+std::string index_path() {
+  return (folder / "exports").string();
+}
 
-bool is_updating() { return std::getenv("RTLANG_UPDATE_GOLDENS") != nullptr; }
+bool is_updating() {
+  return std::getenv("RTLANG_UPDATE_GOLDENS") != nullptr;
+}
 
 // Of pictures whose export has changed; others stay as they are, to the byte.
 void update(const Scenes& scenes) {
@@ -93,7 +101,8 @@ TEST_CASE("pictures: every example and every feature is what POV-Ray made of it"
     INFO(name << ": if the change is meant, tools/update_goldens has POV-Ray render it again");
     REQUIRE(index.count(name));
     CHECK(index.at(name) == export_hash(scene));
-    const povray::Comparison comparison = compare_with_golden(scene, decode_golden(read_file(path_of(name)), path_of(name)));
+    const povray::Comparison comparison =
+        compare_with_golden(scene, decode_golden(read_file(path_of(name)), path_of(name)));
     CHECK(comparison.width == scene.size[0]);
     CHECK(failing(comparison) == "");
     pixels += comparison.pixels, equal += comparison.color_equal;
@@ -141,7 +150,13 @@ TEST_CASE("pictures: a change of the scene makes the kept one stale, a wrong pic
 }
 
 TEST_CASE("pictures: what is written is read again, to the bit") {
-  povray::Shots shots{2, 1, {{0, 1.0f / 65535, 1}, {0.5f, 0.25f, 0.75f}}, {0, 70000}, {std::numeric_limits<double>::infinity(), 12.345}, {}, true};
+  povray::Shots shots{2,
+                      1,
+                      {{0, 1.0f / 65535, 1}, {0.5f, 0.25f, 0.75f}},
+                      {0, 70000},
+                      {std::numeric_limits<double>::infinity(), 12.345},
+                      {},
+                      true};
   const povray::Shots read = decode_golden(encode_golden(shots), "test");
   CHECK(read.width == 2);
   CHECK(read.height == 1);

@@ -66,7 +66,8 @@ TEST_CASE("vectors: products, lengths, angles") {
   CHECK(number("distance([1, 2, 3], [1, 5, 7])") == 5);
   CHECK(text("normalize([0, 3, 4])") == "[0, 0.6, 0.8]");
   CHECK(number("angle_between([1, 0, 0], [0, 2, 0])") == 90);
-  CHECK(number("angle_between([1, 0, 0], [1, 1e-9, 0])") == Approx(5.729577951308232e-8).epsilon(1e-12)); // acos would give 0
+  CHECK(number("angle_between([1, 0, 0], [1, 1e-9, 0])") ==
+        Approx(5.729577951308232e-8).epsilon(1e-12)); // acos would give 0
   CHECK(text("project([2, 3, 4], [0, 2, 0])") == "[0, 3, 0]");
   CHECK(text("reflect([1, -1, 0], [0, 5, 0])") == "[1, 1, 0]");
   CHECK(text("[1, 2, 3] * 2 + [0, 0, 1] - [1, 1, 1] / 2") == "[1.5, 3.5, 6.5]");
@@ -90,7 +91,8 @@ TEST_CASE("lists: the tools") {
   CHECK(text("sort([\"b\", \"a\"])") == "[\"a\", \"b\"]");
   CHECK(text("sort([[1, 9], [2, 3]], key: fn(p) => p[1])") == "[[2, 3], [1, 9]]");
   CHECK(text("reverse(0..3)") == "[3, 2, 1, 0]");
-  CHECK(text("[any(fn(x) => x > 2, [1, 2, 3]), all(fn(x) => x > 2, [1, 2, 3]), any([]), all([])]") == "[true, false, false, true]");
+  CHECK(text("[any(fn(x) => x > 2, [1, 2, 3]), all(fn(x) => x > 2, [1, 2, 3]), any([]), all([])]") ==
+        "[true, false, false, true]");
   CHECK(text("[contains([1, 2], 2), contains(0..3, 1.5)]") == "[true, false]");
   CHECK(number("len([]) + len(0..<7) + len(\"Öl\")") == 9);
   CHECK(text("[x + y for x in [10, 20] for y in 1..2 if x + y != 21]") == "[11, 12, 22]");
@@ -120,7 +122,8 @@ TEST_CASE("builtins: a function written like a method is told where it stands he
 }
 
 TEST_CASE("colours: what another language writes with 255 is a mistake, not a very bright light") {
-  const Loaded loaded = load("sphere { material: rgb(255, 128, 0) }\nlight { color: rgb(1.5, 1, 1) }\nlight { color: rgb(0, -1, 0) }");
+  const Loaded loaded =
+      load("sphere { material: rgb(255, 128, 0) }\nlight { color: rgb(1.5, 1, 1) }\nlight { color: rgb(0, -1, 0) }");
   CHECK(errors(loaded) == std::vector<std::string>{"E0310", "E0310", "E0310"});
   CHECK(loaded.diagnostics[0].label == "write `255 / 255`, or the whole colour as `#rrggbb`");
   CHECK(loaded.diagnostics[1].label == "light that is brighter than white is `linear_rgb(r, g, b)`");
@@ -176,7 +179,8 @@ TEST_CASE("random: a hash of its keys, the same on every machine") {
   CHECK(number("sum([random(i) * random(i + 1) for i in 0..<10000]) / 10000") == Approx(0.25).margin(0.01));
   CHECK(number("min([random(i) for i in 0..<10000])") >= 0);
   CHECK(number("max([random(i) for i in 0..<10000])") < 1);
-  // What pictures depend on must not change from version to version. (Computed by another program from the description.)
+  // What pictures depend on must not change from version to version. (Computed by another program from the
+  // description.)
   CHECK(number("random(0)") == 0.1687122340570506);
   CHECK(number("random(1, 2, \"three\")") == 0.38861411119071343);
 }

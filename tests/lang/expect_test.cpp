@@ -26,7 +26,9 @@ std::string failure(const std::string& text) {
   return render(loaded.expectations.failures[0], loaded.sources, false);
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 std::string first_error(const std::string& text) {
   for (const Diagnostic& d : tried(text).diagnostics) {
@@ -37,7 +39,7 @@ std::string first_error(const std::string& text) {
 
 // A ball of radius 1 seen from 10 in front of it, in the middle of 5 × 5 pixels.
 const std::string one_ball = "size: [5, 5]\ncamera { at: [0, 0, 10], look_at: [0, 0, 0], fov: 20 }\n"
-                          "ball = sphere {}\nball\n";
+                             "ball = sphere {}\nball\n";
 
 } // namespace
 
@@ -61,7 +63,8 @@ TEST_CASE("expect: the exercises hold") {
 }
 
 TEST_CASE("expect: what is seen is named, and what was found instead is told") {
-  CHECK(tried(one_ball + "expect pixel(2, 2) hits ball\nexpect pixel(2, 2) hits \"ball\"\nexpect pixel(0, 0) misses").expectations.passed == 3);
+  CHECK(tried(one_ball + "expect pixel(2, 2) hits ball\nexpect pixel(2, 2) hits \"ball\"\nexpect pixel(0, 0) misses")
+            .expectations.passed == 3);
   const std::string text = failure(one_ball + "other = sphere { at: [9, 9, 9] }\nexpect pixel(2, 2) hits other");
   CHECK(has(text, "error[E0701]"));
   CHECK(has(text, "test.rtl:6:1"));
@@ -98,8 +101,11 @@ TEST_CASE("expect: values are compared with 1e-9 of slack, or with what `within`
 
 TEST_CASE("expect: loops keep their values, and a copy bears the name of what it copies") {
   CHECK(tried("for x in [1, 2, 3] { y = x * x\n expect y == x * x and x < 4 }").expectations.passed == 3);
-  CHECK(tried(one_ball + "ball { at: [3, 0, 0] }\nexpect ray([3, 0, 9], [0, 0, -1]) hits ball").expectations.passed == 1);
-  CHECK(tried("def post() { sphere {} }\npost {}\nexpect ray([0, 0, 9], [0, 0, -1]) hits \"post\"").expectations.passed == 1);
+  CHECK(tried(one_ball + "ball { at: [3, 0, 0] }\nexpect ray([3, 0, 9], [0, 0, -1]) hits ball").expectations.passed ==
+        1);
+  CHECK(
+      tried("def post() { sphere {} }\npost {}\nexpect ray([0, 0, 9], [0, 0, -1]) hits \"post\"").expectations.passed ==
+      1);
 }
 
 TEST_CASE("expect: a failure in a loop says which turn it was") {

@@ -1,12 +1,12 @@
 #include "tests/lang/loading.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <system_error>
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace rt;
 using namespace rt::lang;
@@ -46,7 +46,8 @@ std::size_t objects(const Loaded& loaded) {
 
 TEST_CASE("files: include splices, with its own lines and names") {
   const Folder folder;
-  folder.write("parts/walls.rtl", "brick = material { color: firebrick }\n\nbox { material: brick }\nbackground: navy\n");
+  folder.write("parts/walls.rtl",
+               "brick = material { color: firebrick }\n\nbox { material: brick }\nbackground: navy\n");
   const std::string main = folder.write("main.rtl", "include \"parts/walls.rtl\"\nsphere { material: brick }\n");
   const Loaded loaded = load_file(main, {});
   CHECK(objects(loaded) == 2);
@@ -67,19 +68,25 @@ TEST_CASE("files: an included file may include its neighbours, and functions may
 
 TEST_CASE("files: use gives names and places nothing") {
   const Folder folder;
-  folder.write("lib.rtl", "background: red\nheight = 3\nfn double(x) = 2 * x\ndef post(h = height) { box { size: [1, h, 1] } }\nsphere {}\n");
-  const Loaded loaded = load_file(folder.write("main.rtl", "use \"lib.rtl\" as lib\nuse \"lib.rtl\" as again\nlib.post {}\nlib.post { h: lib.double(lib.height) }\nagain.post {}\n"), {});
+  folder.write("lib.rtl", "background: red\nheight = 3\nfn double(x) = 2 * x\ndef post(h = height) { box { size: [1, "
+                          "h, 1] } }\nsphere {}\n");
+  const Loaded loaded =
+      load_file(folder.write("main.rtl", "use \"lib.rtl\" as lib\nuse \"lib.rtl\" as again\nlib.post {}\nlib.post { h: "
+                                         "lib.double(lib.height) }\nagain.post {}\n"),
+                {});
   CHECK(objects(loaded) == 3);
   CHECK(loaded.scene->background == black);
   CHECK(loaded.scene->shapes.all<scene::Box>().size() == 2); // the same module: the first post and the third are one
-  CHECK(errors(load_file(folder.write("wrong.rtl", "use \"lib.rtl\" as lib\nsphere { radius: height }\nlib.pole {}\n"), {})) == Codes{"E0201", "E0212"});
+  CHECK(errors(load_file(folder.write("wrong.rtl", "use \"lib.rtl\" as lib\nsphere { radius: height }\nlib.pole {}\n"),
+                         {})) == Codes{"E0201", "E0212"});
 }
 
 TEST_CASE("files: modules use modules") {
   const Folder folder;
   folder.write("inner.rtl", "r = 4\n");
   folder.write("outer.rtl", "use \"inner.rtl\" as inner\nball = sphere { radius: inner.r }\n");
-  const Loaded loaded = load_file(folder.write("main.rtl", "use \"outer.rtl\" as o\no.ball\nsphere { radius: o.inner.r }\n"), {});
+  const Loaded loaded =
+      load_file(folder.write("main.rtl", "use \"outer.rtl\" as o\no.ball\nsphere { radius: o.inner.r }\n"), {});
   CHECK(objects(loaded) == 2);
   CHECK(loaded.scene->shapes.all<scene::Sphere>()[1].radius == 4);
 }
@@ -137,14 +144,16 @@ TEST_CASE("files: where a file is missing, one of a like name is told, but not f
     return find(loaded, "E0601")->label;
   };
   const auto none = [](const std::string& name) { return name + ": No such file or directory"; };
-  const auto meant = [&](const std::string& name, const std::string& guess) { return none(name) + "; did you mean `" + guess + "`?"; };
+  const auto meant = [&](const std::string& name, const std::string& guess) {
+    return none(name) + "; did you mean `" + guess + "`?";
+  };
   CHECK(label("include \"wals.rtl\"") == meant("wals.rtl", "walls.rtl"));
   CHECK(label("use \"Walls.rtl\" as w") == meant("Walls.rtl", "walls.rtl"));
   CHECK(label("include \"walls\"") == meant("walls", "walls.rtl"));
   CHECK(label("include \"lib/rools.rtl\"") == meant("lib/rools.rtl", "roofs.rtl"));
-  CHECK(label("include \"b.rtl\"") == none("b.rtl")); // one letter out of one
+  CHECK(label("include \"b.rtl\"") == none("b.rtl"));       // one letter out of one
   CHECK(label("include \"tile.rtl\"") == none("tile.rtl")); // a folder
-  CHECK(label("include \"man.rtl\"") == none("man.rtl")); // would include itself
+  CHECK(label("include \"man.rtl\"") == none("man.rtl"));   // would include itself
   CHECK(label("include \"lib/roofs.rtl\"") == none("lib/rofs.rtl"));
   CHECK(label("include \"secret_.rtl\"") == none("secret_.rtl")); // a link that leads out
   CHECK(label("include \"no/walls.rtl\"") == none("no/walls.rtl"));
@@ -168,7 +177,9 @@ TEST_CASE("params: the command line sets them") {
   const auto with = [](std::vector<std::pair<std::string, std::string>> defines) {
     LoadOptions options;
     options.defines = std::move(defines);
-    Loaded loaded = load("param n = 3 in 1..6\nparam shade = red\nparam label = \"a\"\nparam at = [0, 0, 0]\nfor i in 0..<n { sphere { material: shade, name: label, at: at } }", options);
+    Loaded loaded = load("param n = 3 in 1..6\nparam shade = red\nparam label = \"a\"\nparam at = [0, 0, 0]\nfor i in "
+                         "0..<n { sphere { material: shade, name: label, at: at } }",
+                         options);
     return loaded;
   };
   const auto scene_with = [&](std::vector<std::pair<std::string, std::string>> defines) {

@@ -107,7 +107,8 @@ TEST_CASE("format: a list is filled up to the 100th column wherever it comes to 
   std::string call = numbers(10000, 13);
   call.front() = '(', call.back() = ')';
   CHECK(formatted("x = [f" + call + " for i in [\n" + numbers(10000, 15) + "]]") ==
-        "x = [\n  f" + call + "\n  for i in [\n    [\n      10000, 10001, 10002, 10003, 10004, 10005, 10006, 10007, 10008, " +
+        "x = [\n  f" + call +
+            "\n  for i in [\n    [\n      10000, 10001, 10002, 10003, 10004, 10005, 10006, 10007, 10008, " +
             "10009, 10010, 10011, 10012\n      10013, 10014\n    ]\n  ]\n]\n");
 }
 

@@ -13,8 +13,8 @@ using Codes = std::vector<std::string>;
 namespace {
 
 // The thread sanitizer keeps a call stack of its own, for 65,536 functions, and does not look whether it is full: no
-// program that it watches can nest deeper, however large its stack. Here a call takes nine functions, and three more for
-// each `[( … )][0]` around it.
+// program that it watches can nest deeper, however large its stack. Here a call takes nine functions, and three more
+// for each `[( … )][0]` around it.
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)
 #define RTLANG_IS_WATCHED
@@ -52,7 +52,8 @@ TEST_CASE("limits: endless recursion of defs, of functions through builtins, and
 }
 
 TEST_CASE("limits: what calls itself without end leaves the rest of the file to be looked at") {
-  CHECK(errors("fn f(x) = f(x)\na = f(1)\nb = a + 1\nsphere { radius: f(2) }\nbox { size: b }\nfor i in 5 { box {} }\nsphere { at: [1, 2] }") ==
+  CHECK(errors("fn f(x) = f(x)\na = f(1)\nb = a + 1\nsphere { radius: f(2) }\nbox { size: b }\nfor i in 5 { box {} "
+               "}\nsphere { at: [1, 2] }") ==
         Codes{"E0502", "E0307", "E0301"}); // one for each place, and nothing about what would have been the value
   CHECK(errors("def a() { group { a {} } }\nif true { a {} }\nbox { size: -1 }") == Codes{"E0502", "E0302"});
 }

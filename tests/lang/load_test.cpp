@@ -23,7 +23,8 @@ TEST_CASE("load: a sphere on a plane, with a colour") {
 }
 
 TEST_CASE("load: mistakes of all stages are told in the order of their places") {
-  const Loaded loaded = load("sphere { radius: \"a\" }\nsphere { raduis: 2 }\nsphere { radius: -1 }\nsphere { radius: }\nsphere { radius: r }");
+  const Loaded loaded = load("sphere { radius: \"a\" }\nsphere { raduis: 2 }\nsphere { radius: -1 }\nsphere { radius: "
+                             "}\nsphere { radius: r }");
   CHECK(errors(loaded) == std::vector<std::string>{"E0301", "E0204", "E0302", "E0101", "E0201"});
   CHECK_FALSE(loaded.scene);
 }

@@ -45,7 +45,8 @@ TEST_CASE("names: functions call each other before they are written") {
   const std::string functions = "fn is_even(n) = if n == 0 { true } else { is_odd(n - 1) }\n"
                                 "fn is_odd(n) = if n == 0 { false } else { is_even(n - 1) }";
   CHECK(number("if is_even(10) { 1 } else { 2 }", functions) == 1);
-  CHECK(number("factorial(10)", "a = factorial(3)\nfn factorial(n) = if n < 2 { 1 } else { n * factorial(n - 1) }") == 3628800);
+  CHECK(number("factorial(10)", "a = factorial(3)\nfn factorial(n) = if n < 2 { 1 } else { n * factorial(n - 1) }") ==
+        3628800);
 }
 
 TEST_CASE("names: a function that is called before the names in it have values is a mistake") {
@@ -57,11 +58,13 @@ TEST_CASE("names: functions keep the names around them") {
   CHECK(number("adders[2](10)", "adders = [fn(x) => x + k for k in 0..3]") == 12);
   CHECK(number("add(1)(2)", "fn add(a) = fn(b) => a + b") == 3);
   CHECK(number("compose(fn(x) => x + 1, fn(x) => x * 10)(4)", "fn compose(f, g) = fn(x) => f(g(x))") == 41);
-  CHECK(number("counters[1]()", "counters = [f(i) for i in 0..2]\nfn f(i) { square = i * i\n fn() => square + i }") == 2);
+  CHECK(number("counters[1]()", "counters = [f(i) for i in 0..2]\nfn f(i) { square = i * i\n fn() => square + i }") ==
+        2);
 }
 
 TEST_CASE("names: in a loop every turn has its own") {
-  const Loaded loaded = load("fn twice(f, x) = f(f(x))\nfor i in 1..3 { step = fn(x) => x + i\n sphere { at: [twice(step, 0), 0, 0] } }");
+  const Loaded loaded =
+      load("fn twice(f, x) = f(f(x))\nfor i in 1..3 { step = fn(x) => x + i\n sphere { at: [twice(step, 0), 0, 0] } }");
   REQUIRE(loaded.scene);
   REQUIRE(loaded.scene->objects.size() == 3);
   CHECK(loaded.scene->objects[0].at.x == 2);
@@ -88,12 +91,14 @@ TEST_CASE("names: and and or stop where the answer is known") {
 }
 
 TEST_CASE("names: CSS colours and functions of the same name keep apart") {
-  const Loaded loaded = load("sphere { material: tan }\nsphere { radius: tan(45) }\nsphere { material: gold }\nlight { color: gold }\nsun { color: mix(silver, tan, 0) }");
+  const Loaded loaded = load("sphere { material: tan }\nsphere { radius: tan(45) }\nsphere { material: gold }\nlight { "
+                             "color: gold }\nsun { color: mix(silver, tan, 0) }");
   INFO(report(loaded));
   REQUIRE(loaded.scene);
   const scene::Scene& scene = *loaded.scene;
-  CHECK(std::get<Color>(scene.materials[0].color).r == Approx(0.6444796819705821).epsilon(1e-12)); // #d2: 210/255 decoded
-  CHECK(scene.materials[1].metallic == 1); // gold the metal
+  CHECK(std::get<Color>(scene.materials[0].color).r ==
+        Approx(0.6444796819705821).epsilon(1e-12)); // #d2: 210/255 decoded
+  CHECK(scene.materials[1].metallic == 1);          // gold the metal
   const auto& light = std::get<scene::PointLight>(scene.lights[0].source);
   CHECK(light.color.r == 1); // #ffd700
   CHECK(light.color.b == 0);

@@ -9,7 +9,9 @@ using rt::lang::testing::parse_text;
 using rt::lang::testing::parsed;
 using rt::lang::testing::shape;
 
-TEST_CASE("grammar: no rule can loop without consuming input") { CHECK(grammar_problems() == 0); }
+TEST_CASE("grammar: no rule can loop without consuming input") {
+  CHECK(grammar_problems() == 0);
+}
 
 TEST_CASE("parse: an empty file, blank lines and comments hold no items") {
   CHECK(parsed("") == "");

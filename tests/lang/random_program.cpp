@@ -6,7 +6,8 @@ namespace rt::lang::testing {
 
 namespace {
 
-/// Parts that are drawn at random are drawn from left to right in braces; between + every compiler has an order of its own.
+/// Parts that are drawn at random are drawn from left to right in braces; between + every compiler has an order of its
+/// own.
 std::string in_order(std::initializer_list<std::string> parts) {
   std::string out;
   for (const std::string& part : parts) out += part;
@@ -39,15 +40,21 @@ std::string RandomProgram::separator(bool is_list) {
   switch (below(is_list ? 6 : 9)) {
   case 0:
   case 1:
-  case 2: return ", ";
-  case 3: return gap() + "\n";
-  case 4: return "," + gap() + "\n";
-  case 5: return chance(50) ? " // " + comment() + "\n" : ", // " + comment() + "\n";
-  case 6: return "\n\n\n";
+  case 2:
+    return ", ";
+  case 3:
+    return gap() + "\n";
+  case 4:
+    return "," + gap() + "\n";
+  case 5:
+    return chance(50) ? " // " + comment() + "\n" : ", // " + comment() + "\n";
+  case 6:
+    return "\n\n\n";
   case 7:
-    return in_order({"\n// ", comment(), "\n", chance(30) ? "\n" : "",
-                     chance(50) ? "/* " + comment() + "\n more */\n" : ""});
-  default: return ";";
+    return in_order(
+        {"\n// ", comment(), "\n", chance(30) ? "\n" : "", chance(50) ? "/* " + comment() + "\n more */\n" : ""});
+  default:
+    return ";";
   }
 }
 
@@ -64,23 +71,29 @@ std::string RandomProgram::text(int items) {
 std::string RandomProgram::item(int depth) {
   switch (below(14)) {
   case 0:
-  case 1: return in_order({name(), gap(), "=", continuation(), expression(depth)});
+  case 1:
+    return in_order({name(), gap(), "=", continuation(), expression(depth)});
   case 2:
   case 3:
-  case 4: return in_order({name(), gap(), ":", continuation(), expression(depth)});
+  case 4:
+    return in_order({name(), gap(), ":", continuation(), expression(depth)});
   case 5:
     return depth > 0 ? in_order({"def ", name(), gap(), parameters(depth - 1), gap(), block(depth - 1)}) : name();
   case 6:
-    return in_order({"fn ", name(), gap(), parameters(depth - 1), gap(),
-                     depth > 0 && chance(30) ? block(depth - 1, true)
-                                             : in_order({"=", continuation(), expression(depth - 1)})});
-  case 7: return depth > 0 ? choice(depth - 1, false) : name();
-  case 8: return depth > 0 ? in_order({"for", space(), loop(depth - 1), gap(), block(depth - 1)}) : name();
-  case 9: return chance(50) ? "include \"a b.rtl\"" : "use" + space() + "\"lib.rtl\" as lib";
+    return in_order(
+        {"fn ", name(), gap(), parameters(depth - 1), gap(),
+         depth > 0 && chance(30) ? block(depth - 1, true) : in_order({"=", continuation(), expression(depth - 1)})});
+  case 7:
+    return depth > 0 ? choice(depth - 1, false) : name();
+  case 8:
+    return depth > 0 ? in_order({"for", space(), loop(depth - 1), gap(), block(depth - 1)}) : name();
+  case 9:
+    return chance(50) ? "include \"a b.rtl\"" : "use" + space() + "\"lib.rtl\" as lib";
   case 10:
-    return in_order({"param ", name(), " = ", expression(0),
-                     chance(50) ? in_order({" in 1", gap(), "..", gap(), "10"}) : ""});
-  default: return thing(depth);
+    return in_order(
+        {"param ", name(), " = ", expression(0), chance(50) ? in_order({" in 1", gap(), "..", gap(), "10"}) : ""});
+  default:
+    return thing(depth);
   }
 }
 
@@ -116,11 +129,16 @@ std::string RandomProgram::block(int depth, bool is_value) {
 
 std::string RandomProgram::literal() {
   switch (below(8)) {
-  case 0: return "#f80";
-  case 1: return "\"a // b\\n{ \\\" é\"";
-  case 2: return pick({"true", "false", "none"});
-  case 3: return pick({"30deg", "0.5turn", "1e-3", "2.5E2"});
-  default: return in_order({std::to_string(below(100)), chance(40) ? "." + std::to_string(below(1000)) : ""});
+  case 0:
+    return "#f80";
+  case 1:
+    return "\"a // b\\n{ \\\" é\"";
+  case 2:
+    return pick({"true", "false", "none"});
+  case 3:
+    return pick({"30deg", "0.5turn", "1e-3", "2.5E2"});
+  default:
+    return in_order({std::to_string(below(100)), chance(40) ? "." + std::to_string(below(1000)) : ""});
   }
 }
 
@@ -130,8 +148,8 @@ std::string RandomProgram::expression(int depth) {
     return in_order({"fn", gap(), parameters(depth - 1), gap(), "=>", continuation(), expression(depth - 1)});
   std::string out = operand(depth);
   for (int i = chance(35) ? 1 + below(3) : 0; i > 0 && depth > 0; --i) {
-    out += in_order({space(), pick({"+", "-", "*", "/", "%", "|", "&", "^", "and", "or"}), continuation(),
-                     operand(depth - 1)});
+    out += in_order(
+        {space(), pick({"+", "-", "*", "/", "%", "|", "&", "^", "and", "or"}), continuation(), operand(depth - 1)});
   }
   return out;
 }
@@ -140,20 +158,28 @@ std::string RandomProgram::operand(int depth) {
   const std::string sign = chance(10) ? (chance(70) ? "-" : "- ") : "";
   if (depth <= 0) return sign + (chance(50) ? literal() : name());
   switch (below(10)) {
-  case 0: return in_order({sign, name(), call(depth - 1)});
-  case 1: return in_order({sign, name(), gap(), "[", on_lines(depth - 1), "]"});
-  case 2: return list(depth - 1);
-  case 3: return comprehension(depth - 1);
+  case 0:
+    return in_order({sign, name(), call(depth - 1)});
+  case 1:
+    return in_order({sign, name(), gap(), "[", on_lines(depth - 1), "]"});
+  case 2:
+    return list(depth - 1);
+  case 3:
+    return comprehension(depth - 1);
   case 4: {
     ++parentheses_;
     std::string out = in_order({sign, "(", gap(), expression(depth - 1), gap(), ")"});
     --parentheses_;
     return out + (chance(20) ? " " + block(depth - 1) : "");
   }
-  case 5: return in_order({"{", name(), ": ", on_lines(depth - 1), ", b: 2 }"});
-  case 6: return in_order({sign, name(), ".", name()});
-  case 7: return chance(50) ? thing(depth - 1) : "(0" + pick({"..", "..<", " .. "}) + "n - 1 by 2 == [1])";
-  default: return sign + (chance(60) ? literal() : name());
+  case 5:
+    return in_order({"{", name(), ": ", on_lines(depth - 1), ", b: 2 }"});
+  case 6:
+    return in_order({sign, name(), ".", name()});
+  case 7:
+    return chance(50) ? thing(depth - 1) : "(0" + pick({"..", "..<", " .. "}) + "n - 1 by 2 == [1])";
+  default:
+    return sign + (chance(60) ? literal() : name());
   }
 }
 
@@ -211,8 +237,8 @@ std::string RandomProgram::parameters(int depth) {
 }
 
 std::string RandomProgram::choice(int depth, bool is_value) {
-  std::string out = in_order(
-      {"if", space(), "a", space(), "<", space(), "(", operand(0), ")", gap(), block(depth, is_value)});
+  std::string out =
+      in_order({"if", space(), "a", space(), "<", space(), "(", operand(0), ")", gap(), block(depth, is_value)});
   if (chance(30)) out += in_order({gap(), "else", space(), "if", space(), "b", gap(), block(depth, is_value)});
   if (is_value || chance(50)) out += in_order({gap(), "else", gap(), block(depth, is_value)});
   return out;

@@ -6,8 +6,8 @@
 
 namespace rt::lang::testing {
 
-/// Writes programs that parse, in every construct of the grammar and with every freedom of layout: blank lines, comments,
-/// separators, line breaks where they are allowed. Names need not be known: only the syntax is right.
+/// Writes programs that parse, in every construct of the grammar and with every freedom of layout: blank lines,
+/// comments, separators, line breaks where they are allowed. Names need not be known: only the syntax is right.
 class RandomProgram {
 public:
   explicit RandomProgram(std::uint32_t seed) : random_(seed) {}
@@ -21,9 +21,9 @@ private:
   std::string pick(std::initializer_list<const char*> words);
   std::string comment() { return "c" + std::to_string(++comments_); }
 
-  std::string gap();           ///< may be empty
-  std::string space();         ///< at least one blank
-  std::string continuation();  ///< behind an operator: may break the line
+  std::string gap();          ///< may be empty
+  std::string space();        ///< at least one blank
+  std::string continuation(); ///< behind an operator: may break the line
   std::string separator(bool is_list);
   std::string item(int depth);
   std::string thing(int depth);

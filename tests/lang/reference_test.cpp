@@ -48,8 +48,10 @@ TEST_CASE("reference: every snippet of the language page does what the page says
     std::vector<std::string> codes;
     for (const auto& d : loaded.diagnostics)
       if (d.severity == rt::lang::Severity::error) codes.push_back(d.code);
-    if (s.code.empty()) CHECK(codes == std::vector<std::string>{});
-    else CHECK(codes == std::vector<std::string>{s.code});
+    if (s.code.empty())
+      CHECK(codes == std::vector<std::string>{});
+    else
+      CHECK(codes == std::vector<std::string>{s.code});
   }
 }
 

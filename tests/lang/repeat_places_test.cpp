@@ -28,7 +28,8 @@ std::vector<Told> told(const std::string& scene) {
   std::vector<Told> all;
   for (const Diagnostic& d : loaded.diagnostics) {
     if (d.severity != Severity::error) continue;
-    all.push_back({d.code, loaded.sources.position(d.span.file, d.span.begin).line, std::string(loaded.sources.text(d.span))});
+    all.push_back(
+        {d.code, loaded.sources.position(d.span.file, d.span.begin).line, std::string(loaded.sources.text(d.span))});
   }
   return all;
 }
@@ -44,9 +45,11 @@ std::string lines(int count, const std::function<std::string(int)>& line) {
 
 TEST_CASE("repeats: a wrong value in the midst of a long list is told in its own line") {
   const auto sphere = [](int i) {
-    return "sphere { at: [" + std::to_string(i) + ", -1, 0], radius: " + (i == 40 || i == 45 || i == 60 ? "-2.5" : "1") + " }";
+    return "sphere { at: [" + std::to_string(i) +
+           ", -1, 0], radius: " + (i == 40 || i == 45 || i == 60 ? "-2.5" : "1") + " }";
   };
-  CHECK(told(lines(60, sphere)) == std::vector<Told>{{"E0302", 40, "-2.5"}, {"E0302", 45, "-2.5"}, {"E0302", 60, "-2.5"}});
+  CHECK(told(lines(60, sphere)) ==
+        std::vector<Told>{{"E0302", 40, "-2.5"}, {"E0302", 45, "-2.5"}, {"E0302", 60, "-2.5"}});
 }
 
 TEST_CASE("repeats: a mistake in the wording is told for every line") {
@@ -64,7 +67,8 @@ TEST_CASE("repeats: the same words in another layout have their own places too")
 }
 
 TEST_CASE("repeats: what calls itself without end is told where it was called") {
-  const Loaded loaded = load("fn f(x) = f(x)\n" + lines(40, [](int i) { return "sphere { radius: f(" + std::to_string(i) + ") }"; }));
+  const Loaded loaded =
+      load("fn f(x) = f(x)\n" + lines(40, [](int i) { return "sphere { radius: f(" + std::to_string(i) + ") }"; }));
   const Diagnostic* d = find(loaded, "E0502");
   REQUIRE(d);
   CHECK(loaded.sources.position(0, d->call_stack.back().span->begin).line == 2);
@@ -74,11 +78,13 @@ TEST_CASE("repeats: where there is no end of mistakes, the last that is told say
   const Loaded loaded = load(lines(2'000, [](int i) { return "sphere { raduis: " + std::to_string(i) + " }"; }));
   CHECK(loaded.diagnostics.size() == Report::most);
   REQUIRE_FALSE(loaded.diagnostics.back().notes.empty());
-  CHECK(loaded.diagnostics.back().notes.back().message == "there is more that is wrong: only 1000 mistakes are told at once");
+  CHECK(loaded.diagnostics.back().notes.back().message ==
+        "there is more that is wrong: only 1000 mistakes are told at once");
 }
 
 TEST_CASE("diagnostics: of a line that is a file long, what is about the carets is shown") {
-  const Loaded loaded = load("x = [" + std::string(3'000'000, ' ') + "1]; sphere { raduis: 2 }; y = [" + std::string(3'000'000, ' ') + "2]");
+  const Loaded loaded = load("x = [" + std::string(3'000'000, ' ') + "1]; sphere { raduis: 2 }; y = [" +
+                             std::string(3'000'000, ' ') + "2]");
   REQUIRE(loaded.diagnostics.size() == 1);
   const std::string shown = render(loaded.diagnostics[0], loaded.sources, false);
   CHECK(shown.size() < 1'000);

@@ -16,10 +16,11 @@ TEST_CASE("session: comments stay where they are") {
 TEST_CASE("session: a file that is loaded is its document, word by word, and makes the same picture") {
   const Folder folder;
   folder.write("colors.rtl", "rust = #b7410e\n");
-  const std::string text = "// A scene\nuse \"colors.rtl\" as colors\n\nsize: [64, 48]\n\n// things\n"
-                           "for i in 0..4 { sphere { at: [i, 0, 0], radius: 0.4, material: colors.rust } }\n"
-                           "table { width: 2 } // uses what comes later\n\ndef table(width = 1) {\n  box { size: [width, 0.1, width] }\n}\n"
-                           "sphere { at: [0, 1, 0] }\nsphere { at: [1, 1, 0] }\nsphere { at: [2, 1, 0] }\n";
+  const std::string text =
+      "// A scene\nuse \"colors.rtl\" as colors\n\nsize: [64, 48]\n\n// things\n"
+      "for i in 0..4 { sphere { at: [i, 0, 0], radius: 0.4, material: colors.rust } }\n"
+      "table { width: 2 } // uses what comes later\n\ndef table(width = 1) {\n  box { size: [width, 0.1, width] }\n}\n"
+      "sphere { at: [0, 1, 0] }\nsphere { at: [1, 1, 0] }\nsphere { at: [2, 1, 0] }\n";
   const std::string path = folder.write("scene.rtl", text);
   Talk talk;
   talk.say("box {}");
@@ -33,8 +34,9 @@ TEST_CASE("session: a file that is loaded is its document, word by word, and mak
 
 TEST_CASE("session: things of a loaded file can be changed like others") {
   const Folder folder;
-  const std::string path = folder.write("scene.rtl", "r = 0.5\nsphere { radius: r, at: [0, 0, 0] }\nsphere { radius: r, at: [1, 0, 0] }\n"
-                                                     "sphere { radius: r, at: [2, 0, 0] }\n");
+  const std::string path =
+      folder.write("scene.rtl", "r = 0.5\nsphere { radius: r, at: [0, 0, 0] }\nsphere { radius: r, at: [1, 0, 0] }\n"
+                                "sphere { radius: r, at: [2, 0, 0] }\n");
   Talk talk;
   REQUIRE(talk.session.load(path).is_accepted);
   talk.say(".move(y: 1)");
@@ -44,7 +46,8 @@ TEST_CASE("session: things of a loaded file can be changed like others") {
   talk.say("r = 2");
   for (std::size_t i = 0; i < 3; ++i) CHECK(talk.radius(i) == 2);
   const SessionResult refused = talk.refuse("r = -1");
-  CHECK(rt::lang::render(refused.diagnostics.front(), talk.session.sources(), false).find("scene.rtl:2:") != std::string::npos);
+  CHECK(rt::lang::render(refused.diagnostics.front(), talk.session.sources(), false).find("scene.rtl:2:") !=
+        std::string::npos);
 }
 
 TEST_CASE("session: a file with mistakes is not loaded, and all of them are told") {

@@ -4,13 +4,13 @@
 #include "renderer/render.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 /// What the tests of sessions share.
 namespace rt::lang::testing {
@@ -22,7 +22,8 @@ struct Talk {
   SessionResult say(const std::string& text) {
     SessionResult result = session.submit(text);
     INFO(text);
-    for (const rt::lang::Diagnostic& d : result.diagnostics) UNSCOPED_INFO(rt::lang::render(d, session.sources(), false));
+    for (const rt::lang::Diagnostic& d : result.diagnostics)
+      UNSCOPED_INFO(rt::lang::render(d, session.sources(), false));
     REQUIRE(result.is_accepted);
     return result;
   }
@@ -60,7 +61,8 @@ inline bool are_equal(const std::vector<rt::Rgb32>& a, const std::vector<rt::Rgb
 }
 
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("rtlang_session_test_" + std::to_string(getpid()));
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("rtlang_session_test_" + std::to_string(getpid()));
   Folder() {
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path);

@@ -1,6 +1,5 @@
-#include "tests/lang/session_kit.hpp"
-
 #include "renderer/traceable.hpp"
+#include "tests/lang/session_kit.hpp"
 
 #include <algorithm>
 
@@ -59,7 +58,8 @@ TEST_CASE("session: binding a name again replaces its line, and what depends on 
   CHECK(talk.radius(0) == 10);
   // r itself, d and the sphere; not the box.
   CHECK(talk.session.counters().statements_evaluated - before.statements_evaluated == 3);
-  CHECK(result.changes == std::vector<std::string>{"r replaced", "made anew: d = 2 * r", "made anew: sphere { radius: d }"});
+  CHECK(result.changes ==
+        std::vector<std::string>{"r replaced", "made anew: d = 2 * r", "made anew: sphere { radius: d }"});
 }
 
 TEST_CASE("session: functions and nouns that are redefined change what calls them, also through each other") {
@@ -266,15 +266,33 @@ TEST_CASE("session: random inputs leave a document that says the same when it is
       const std::string& name = names[next(4)];
       const std::string& other = names[next(4)];
       switch (next(9)) {
-      case 0: session.submit(name + " = " + std::to_string(next(9) + 1)); break;
-      case 1: session.submit(name + " = " + other + " + 1"); break;
-      case 2: session.submit("sphere { radius: 0.1 * " + name + ", at: [" + std::to_string(next(5)) + ", 0, 0] }"); break;
-      case 3: session.submit("fn f(x) = x + " + std::to_string(next(5))); break;
-      case 4: session.submit(name + " = f(" + other + ")"); break;
-      case 5: session.undo(); break;
-      case 6: session.submit(".move(y: 0.5)"); break;
-      case 7: session.remove(name); break;
-      case 8: session.submit("def thing(n = 1) { box { size: n * " + other + " / 9 } }\nthing { at: [0, 0, -2] }"); break;
+      case 0:
+        session.submit(name + " = " + std::to_string(next(9) + 1));
+        break;
+      case 1:
+        session.submit(name + " = " + other + " + 1");
+        break;
+      case 2:
+        session.submit("sphere { radius: 0.1 * " + name + ", at: [" + std::to_string(next(5)) + ", 0, 0] }");
+        break;
+      case 3:
+        session.submit("fn f(x) = x + " + std::to_string(next(5)));
+        break;
+      case 4:
+        session.submit(name + " = f(" + other + ")");
+        break;
+      case 5:
+        session.undo();
+        break;
+      case 6:
+        session.submit(".move(y: 0.5)");
+        break;
+      case 7:
+        session.remove(name);
+        break;
+      case 8:
+        session.submit("def thing(n = 1) { box { size: n * " + other + " / 9 } }\nthing { at: [0, 0, -2] }");
+        break;
       }
     }
     const std::string text = session.text();
@@ -296,15 +314,16 @@ TEST_CASE("session: the formatted document is laid out anew, with its comments")
   talk.say("ball");
   talk.say("for i in 0..<3{\nbox{size:i+1} // one of three\n}");
   talk.say("// the end");
-  CHECK(talk.session.formatted() == "// a ball\nball = sphere { radius: 2, at: [0, 1, 0] } // round\nball\nfor i in 0..<3 {\n"
-                                    "  box { size: i + 1 } // one of three\n}\n// the end\n");
+  CHECK(talk.session.formatted() ==
+        "// a ball\nball = sphere { radius: 2, at: [0, 1, 0] } // round\nball\nfor i in 0..<3 {\n"
+        "  box { size: i + 1 } // one of three\n}\n// the end\n");
 }
 
 TEST_CASE("session: a long document of unlike statements is what its text says after any change") {
   std::string text;
   for (int i = 0; i < 500; ++i)
-    text += "r" + std::to_string(i) + " = 0.1 + " + std::to_string(i) + " / 5000\nsphere { radius: r" + std::to_string(i) +
-            ", at: [" + std::to_string(i % 25) + ", " + std::to_string(i / 25) + ", 0] }\n";
+    text += "r" + std::to_string(i) + " = 0.1 + " + std::to_string(i) + " / 5000\nsphere { radius: r" +
+            std::to_string(i) + ", at: [" + std::to_string(i % 25) + ", " + std::to_string(i / 25) + ", 0] }\n";
   const Folder folder;
   Talk talk;
   REQUIRE(talk.session.load(folder.write("long.rtl", text)).is_accepted);
@@ -342,7 +361,8 @@ TEST_CASE("session: a long document of unlike statements is what its text says a
 
 TEST_CASE("session: most of a scene of many unlike things stays in stretches that are kept") {
   std::string text;
-  for (int i = 0; i < 5000; ++i) text += "n" + std::to_string(i) + " = sphere { radius: 0.1 }\nn" + std::to_string(i) + "\n";
+  for (int i = 0; i < 5000; ++i)
+    text += "n" + std::to_string(i) + " = sphere { radius: 0.1 }\nn" + std::to_string(i) + "\n";
   const Folder folder;
   Talk talk;
   REQUIRE(talk.session.load(folder.write("many.rtl", text)).is_accepted);

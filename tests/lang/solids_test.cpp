@@ -26,9 +26,12 @@ const scene::Combination& combination(const scene::Scene& scene, const scene::Ob
 } // namespace
 
 TEST_CASE("solids: operators and nouns say the same") {
-  const scene::Scene scene = scene_of("sphere {} | box {}\nunion { sphere {}, box {} }\nsphere {} & box {}\nintersection { [sphere {}, box {}] }\nbox {} - sphere {}\ndifference { box {}\n sphere {} }");
+  const scene::Scene scene =
+      scene_of("sphere {} | box {}\nunion { sphere {}, box {} }\nsphere {} & box {}\nintersection { [sphere {}, box "
+               "{}] }\nbox {} - sphere {}\ndifference { box {}\n sphere {} }");
   REQUIRE(scene.objects.size() == 6);
-  const Operation expected[] = {Operation::unite, Operation::unite, Operation::intersect, Operation::intersect, Operation::subtract, Operation::subtract};
+  const Operation expected[] = {Operation::unite,     Operation::unite,    Operation::intersect,
+                                Operation::intersect, Operation::subtract, Operation::subtract};
   for (std::size_t i = 0; i < 6; ++i) {
     CHECK(combination(scene, scene.objects[i]).operation == expected[i]);
     CHECK(combination(scene, scene.objects[i]).operands.size() == 2);
@@ -36,7 +39,8 @@ TEST_CASE("solids: operators and nouns say the same") {
 }
 
 TEST_CASE("solids: a row of equal operators is one combination; & binds before | and -") {
-  const scene::Scene scene = scene_of("sphere {} | box {} | cone {} | sphere {} & box {}\nbox {} - sphere {} - cone {}\nbox {} - (sphere {} - cone {})");
+  const scene::Scene scene = scene_of("sphere {} | box {} | cone {} | sphere {} & box {}\nbox {} - sphere {} - cone "
+                                      "{}\nbox {} - (sphere {} - cone {})");
   const scene::Combination& all = combination(scene, scene.objects[0]);
   REQUIRE(all.operands.size() == 4);
   CHECK(combination(scene, all.operands[3]).operation == Operation::intersect);
@@ -52,7 +56,8 @@ TEST_CASE("solids: keeping the left side of a row leaves it as it was") {
 }
 
 TEST_CASE("solids: what was moved or painted stays a combination of its own") {
-  const scene::Scene scene = scene_of("((sphere {} | box {}) { material: red }) | cone {}\n(box {} - sphere {}).move(x: 1) - cone {}");
+  const scene::Scene scene =
+      scene_of("((sphere {} | box {}) { material: red }) | cone {}\n(box {} - sphere {}).move(x: 1) - cone {}");
   CHECK(combination(scene, scene.objects[0]).operands.size() == 2);
   const scene::Combination& cut = combination(scene, scene.objects[1]);
   REQUIRE(cut.operands.size() == 2);
@@ -60,7 +65,8 @@ TEST_CASE("solids: what was moved or painted stays a combination of its own") {
 }
 
 TEST_CASE("solids: a list or group as an operand is the union of its solids") {
-  const scene::Scene scene = scene_of("box {} - [sphere {}, cone {}]\npair = group { sphere {}, group { cone {} } }\nbox {} & pair\npair");
+  const scene::Scene scene =
+      scene_of("box {} - [sphere {}, cone {}]\npair = group { sphere {}, group { cone {} } }\nbox {} & pair\npair");
   const scene::Combination& cut = combination(scene, scene.objects[0]);
   REQUIRE(cut.operands.size() == 2);
   CHECK(combination(scene, cut.operands[1]).operation == Operation::unite);
@@ -68,14 +74,16 @@ TEST_CASE("solids: a list or group as an operand is the union of its solids") {
   const scene::Combination& pair = combination(scene, common.operands[1]);
   CHECK(pair.operation == Operation::unite);
   REQUIRE(pair.operands.size() == 2);
-  CHECK(combination(scene, pair.operands[1]).operands.size() == 1); // the inner group, too
+  CHECK(combination(scene, pair.operands[1]).operands.size() == 1);   // the inner group, too
   CHECK(scene.objects[2].shape.kind == scene::kind_of<scene::Group>); // as a thing it stays a group
 }
 
 TEST_CASE("solids: out of nothing comes nothing, and nothing takes nothing away") {
   const std::string nothing = "gone = sphere { visible: false }\nempty = union { [] }\n";
-  CHECK(scene_of(nothing + "gone - box {}\nempty - box {}\nempty & box {}\nbox {} & gone\nplane {}").objects.size() == 1);
-  const scene::Scene scene = scene_of(nothing + "box {} - gone\nbox {} - empty\nempty | box {}\n(gone - box {}) | cone {}");
+  CHECK(scene_of(nothing + "gone - box {}\nempty - box {}\nempty & box {}\nbox {} & gone\nplane {}").objects.size() ==
+        1);
+  const scene::Scene scene =
+      scene_of(nothing + "box {} - gone\nbox {} - empty\nempty | box {}\n(gone - box {}) | cone {}");
   REQUIRE(scene.objects.size() == 4);
   for (const scene::Object& object : scene.objects) CHECK(combination(scene, object).operands.size() == 1);
   CHECK(errors("intersection {}") == Codes{"E0407"});
@@ -95,7 +103,8 @@ TEST_CASE("solids: open shapes, lights and other values cannot take part") {
 }
 
 TEST_CASE("solids: a def may be an operand and a combination may be a def's body") {
-  const scene::Scene scene = scene_of("def ring(r) { material: red\n cylinder { radius: r } - cylinder { radius: r / 2, height: 3 } }\nring { r: 2 } & box { size: 3 }\nring { r: 2 }");
+  const scene::Scene scene = scene_of("def ring(r) { material: red\n cylinder { radius: r } - cylinder { radius: r / "
+                                      "2, height: 3 } }\nring { r: 2 } & box { size: 3 }\nring { r: 2 }");
   const scene::Combination& common = combination(scene, scene.objects[0]);
   REQUIRE(common.operands.size() == 2);
   CHECK(common.operands[0].material != scene::no_material); // the def's own default
@@ -107,9 +116,11 @@ TEST_CASE("solids: one solid is one medium") {
   CHECK(errors("(sphere { material: glass } | box { material: water }) { material: diamond }").empty());
   CHECK(errors("sphere { material: glass } - box { material: red }").empty()); // opaque parts say nothing
   CHECK(errors("sphere { material: glass } - box {}").empty());
-  CHECK(errors("group { material: water\n sphere { material: glass } - box {} }") == Codes{"E0408"}); // the box is water
+  CHECK(errors("group { material: water\n sphere { material: glass } - box {} }") ==
+        Codes{"E0408"}); // the box is water
   CHECK(errors("group { material: red\n sphere { material: glass } - box {} }").empty());
-  CHECK(errors("part = sphere { material: glass } - plane {}\npart | (box { material: water } & sphere {})") == Codes{"E0408"});
+  CHECK(errors("part = sphere { material: glass } - plane {}\npart | (box { material: water } & sphere {})") ==
+        Codes{"E0408"});
   CHECK(errors("kept = sphere { material: glass } | box { material: water }\nsphere {}").empty()); // not in the scene
 }
 

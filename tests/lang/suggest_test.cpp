@@ -9,7 +9,9 @@ namespace {
 const std::vector<std::string_view> properties{"radius", "at",      "rotate",       "scale", "material",
                                                "name",   "visible", "casts_shadow", "from",  "to"};
 
-std::optional<std::string_view> nearest_property(std::string_view word) { return nearest(word, properties); }
+std::optional<std::string_view> nearest_property(std::string_view word) {
+  return nearest(word, properties);
+}
 
 } // namespace
 

@@ -8,8 +8,8 @@
 
 #include <string>
 
-/// Comparisons with the POV-Ray that is installed. Where there is none, they throw, and the tests fail: a comparison that
-/// is left out silently proves nothing.
+/// Comparisons with the POV-Ray that is installed. Where there is none, they throw, and the tests fail: a comparison
+/// that is left out silently proves nothing.
 namespace rt::tests {
 
 struct Checked {
@@ -25,7 +25,9 @@ inline scene::Scene loaded(lang::Loaded&& result, const std::string& name) {
   REQUIRE(result.scene);
   return std::move(*result.scene);
 }
-inline scene::Scene scene_of(const std::string& text) { return loaded(lang::load_text(text, "test.rtl", ".", {}), "test.rtl"); }
+inline scene::Scene scene_of(const std::string& text) {
+  return loaded(lang::load_text(text, "test.rtl", ".", {}), "test.rtl");
+}
 
 inline Film film_of(const scene::Scene& scene) {
   RenderOptions options;

@@ -2,12 +2,12 @@
 #include "tests/paths.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sys/wait.h>
 
 using namespace rt;
 using namespace rt::tests;
@@ -49,8 +49,9 @@ Ran run(const std::string& command) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
 }
 
-const std::string good = "#version 3.7; global_settings { assumed_gamma 1.0 } camera { location -z*3 direction z right x up y }\n"
-                         "sphere { 0, 1 pigment { rgb <3, -0.5, 0.25> } finish { ambient 0 diffuse 0 emission 1 } }";
+const std::string good =
+    "#version 3.7; global_settings { assumed_gamma 1.0 } camera { location -z*3 direction z right x up y }\n"
+    "sphere { 0, 1 pigment { rgb <3, -0.5, 0.25> } finish { ambient 0 diffuse 0 emission 1 } }";
 
 } // namespace
 
@@ -67,7 +68,8 @@ TEST_CASE("POV-Ray: pictures are floats, neither clamped nor rounded, and nothin
 
 TEST_CASE("POV-Ray: what it refuses is told in its own words, and nothing is left behind") {
   const OwnTemporaryFolder folder;
-  CHECK_THROWS_WITH(povray::render("#version 3.7; spere { 0, 1 }", 8, 8, {}), Contains("Parse Error") && Contains("spere"));
+  CHECK_THROWS_WITH(povray::render("#version 3.7; spere { 0, 1 }", 8, 8, {}),
+                    Contains("Parse Error") && Contains("spere"));
   CHECK(folder.is_empty());
 }
 
@@ -75,7 +77,8 @@ TEST_CASE("POV-Ray: a scene that takes too long is ended, and nothing is left be
   const OwnTemporaryFolder folder;
   povray::RunOptions options;
   options.time_limit = std::chrono::milliseconds(300);
-  CHECK_THROWS_WITH(povray::render("#version 3.7; #while (1) #end", 8, 8, options), Contains("did not end within 0.3 s"));
+  CHECK_THROWS_WITH(povray::render("#version 3.7; #while (1) #end", 8, 8, options),
+                    Contains("did not end within 0.3 s"));
   CHECK(folder.is_empty());
 }
 
@@ -94,7 +97,8 @@ TEST_CASE("POV-Ray: a name in a scene reaches neither a shell nor the text aroun
 }
 
 TEST_CASE("check: without POV-Ray it names the package and exits with 3") {
-  const Ran ran = run(std::string("PATH=/nonexistent ") + RTLANG_BINARY + " check " + RTLANG_SOURCE_DIR + "/examples/hello.rtl");
+  const Ran ran =
+      run(std::string("PATH=/nonexistent ") + RTLANG_BINARY + " check " + RTLANG_SOURCE_DIR + "/examples/hello.rtl");
   CHECK(ran.exit_code == 3);
   CHECK_THAT(ran.output, Contains("POV-Ray is not installed") && Contains("package `povray`"));
 }
@@ -109,14 +113,16 @@ TEST_CASE("check: 0 when every gate holds, 1 when one does not, a page and JSON 
   CHECK_THAT(fine.output, Contains("\"holds\": true"));
   std::ifstream in(page);
   const std::string html{std::istreambuf_iterator<char>(in), {}};
-  CHECK_THAT(html, Contains("data:image/png;base64,") && Contains("hello.rtl") && !Contains("%TITLE%") && !Contains("http"));
+  CHECK_THAT(html,
+             Contains("data:image/png;base64,") && Contains("hello.rtl") && !Contains("%TITLE%") && !Contains("http"));
   CHECK(run(command + "--gate depth=1e-20").exit_code == 1);
   CHECK(run(command + "--gate nothing=1").exit_code == 2);
 }
 
 TEST_CASE("check: an explained pixel is named with its object, line and cause") {
-  const Checked c = check_scene(scene_of("size: [60, 45]\ncamera { at: [0, 1, 4] }\nlight { at: [2, 4, 3] }\n"
-                                   "sphere { radius: 0.00002, at: [0, 1, 3.99995] }\nsphere { name: \"ball\" }\n"));
+  const Checked c =
+      check_scene(scene_of("size: [60, 45]\ncamera { at: [0, 1, 4] }\nlight { at: [2, 4, 3] }\n"
+                           "sphere { radius: 0.00002, at: [0, 1, 3.99995] }\nsphere { name: \"ball\" }\n"));
   // The tiny sphere is nearer to the eye than 1e-4: POV-Ray looks through it.
   REQUIRE_FALSE(c.comparison.outliers.empty());
   CHECK(c.comparison.ids_unexplained == 0);
@@ -132,8 +138,11 @@ TEST_CASE("check: an explained pixel is named with its object, line and cause") 
 
 // Found by the long run: a horizon is farther away than POV-Ray sees, straight, in a mirror and through glass.
 TEST_CASE("check: what is farther away than POV-Ray sees is explained by that") {
-  const std::string view = "size: [16, 12]\nbackground: #336699\ncamera { at: [0, 1, 0], look_at: [1, 1.00000003, 0], fov: 0.00001 }\nsun {}\n";
-  for (const char* things : {"plane {}", "plane {}\nquad { corner: [2, 0, -1], edge_u: [0, 3, 0], edge_v: [0, 0, 2], material: material { refract: 0.8, reflect: 0.2, diffuse: 0 } }",
+  const std::string view = "size: [16, 12]\nbackground: #336699\ncamera { at: [0, 1, 0], look_at: [1, 1.00000003, 0], "
+                           "fov: 0.00001 }\nsun {}\n";
+  for (const char* things : {"plane {}",
+                             "plane {}\nquad { corner: [2, 0, -1], edge_u: [0, 3, 0], edge_v: [0, 0, 2], material: "
+                             "material { refract: 0.8, reflect: 0.2, diffuse: 0 } }",
                              "plane { material: material { color: peru, reflect: 0.3 } }"}) {
     const Checked c = check_scene(scene_of(view + things));
     INFO(things);
@@ -146,7 +155,8 @@ TEST_CASE("check: what is farther away than POV-Ray sees is explained by that") 
 
 TEST_CASE("export: POV-Ray keeps every bit of the numbers that are written") {
   const double values[] = {0.1, 1.0 / 3, 123456.789012345678, 5e-5, 1 + 1e-15};
-  std::string script = "#version 3.7; global_settings { assumed_gamma 1.0 } camera { location 0 direction z }\n#fopen OUT \"out\" write\n";
+  std::string script = "#version 3.7; global_settings { assumed_gamma 1.0 } camera { location 0 direction z }\n#fopen "
+                       "OUT \"out\" write\n";
   for (const double v : values) script += fmt::format("#write (OUT, str({} * 1e10, 0, 17), \"\\n\")\n", v);
   const std::string out = povray::run_script(script + "#fclose OUT\n", {}, "out");
   const char* at = out.c_str();

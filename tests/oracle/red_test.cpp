@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-// The check must fail on a scene that is not the one POV-Ray got. Each test changes one thing by as much as a mistake would.
+// The check must fail on a scene that is not the one POV-Ray got. Each test changes one thing by as much as a mistake
+// would.
 using namespace rt;
 using namespace rt::tests;
 namespace povray = rt::tools::povray;
@@ -23,13 +24,16 @@ triangle { points: [[-1, 0.9, -1], [1, 0.9, -1], [0, 2.1, -1]], normals: [[-0.4,
 std::string failing_for(const scene::Scene& changed) {
   return failing(povray::compare(changed, film_of(changed), povray::shoot(scene_of(text))));
 }
-template <class S> S& shape(scene::Scene& scene, std::size_t object) {
+template <class S>
+S& shape(scene::Scene& scene, std::size_t object) {
   return scene.shapes.all<S>()[scene.objects[object].shape.index];
 }
 
 } // namespace
 
-TEST_CASE("red: the scene itself passes") { CHECK(failing_for(scene_of(text)) == ""); }
+TEST_CASE("red: the scene itself passes") {
+  CHECK(failing_for(scene_of(text)) == "");
+}
 
 TEST_CASE("red: a radius times (1 + 1e-7) fails by its distance") {
   scene::Scene scene = scene_of(text);
@@ -81,5 +85,6 @@ TEST_CASE("red: an exporter that leaves out a light fails") {
   const scene::Scene scene = scene_of(text);
   scene::Scene other = scene;
   other.lights.clear();
-  CHECK_THAT(failing(povray::compare(scene, film_of(scene), povray::shoot(other))), Contains("color_share color_unexplained"));
+  CHECK_THAT(failing(povray::compare(scene, film_of(scene), povray::shoot(other))),
+             Contains("color_share color_unexplained"));
 }

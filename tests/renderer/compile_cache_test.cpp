@@ -2,6 +2,7 @@
 #include "tests/renderer/scene_kit.hpp"
 
 #include <catch2/catch.hpp>
+
 #include <cstring>
 
 using namespace rt;
@@ -23,9 +24,11 @@ Kit many_things() {
   const auto glass = k.clear(1.5, 0.9);
   k.add(k.plane({0, 1, 0}, -1).with(k.material(floor)));
   for (int i = 0; i < 60; ++i)
-    k.add(k.sphere(0.3).at({i % 10 * 0.6, 0.7 * (i / 10), -0.4 * (i % 7)}).with(i % 3 == 0 ? glass : scene::no_material));
+    k.add(
+        k.sphere(0.3).at({i % 10 * 0.6, 0.7 * (i / 10), -0.4 * (i % 7)}).with(i % 3 == 0 ? glass : scene::no_material));
   k.add(k.sphere().at({-1, 0, 1}).turned(k.scaled({1, 2, 0.5})).with(k.material(floor)));
-  const scene::Object twice = k.group({k.sphere(0.4).at({0, 1, 0}), k.box({-0.2, -1, -0.2}, {0.2, 1, 0.2})}).at({4, 0, 2});
+  const scene::Object twice =
+      k.group({k.sphere(0.4).at({0, 1, 0}), k.box({-0.2, -1, -0.2}, {0.2, 1, 0.2})}).at({4, 0, 2});
   k.add(twice);
   scene::Object second = twice;
   second.at = {5.5, 0, 2};
@@ -45,7 +48,8 @@ Film picture(const Kit& k, const Traceable& traceable) {
 }
 
 bool have_equal_bytes(const Film& a, const Film& b) {
-  return a.color.size() == b.color.size() && std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(Rgb32)) == 0;
+  return a.color.size() == b.color.size() &&
+         std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(Rgb32)) == 0;
 }
 
 } // namespace

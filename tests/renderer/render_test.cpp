@@ -1,6 +1,7 @@
 #include "renderer/render.hpp"
 
 #include <catch2/catch.hpp>
+
 #include <chrono>
 #include <thread>
 

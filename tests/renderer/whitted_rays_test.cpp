@@ -335,7 +335,8 @@ TEST_CASE("whitted: what a ray sees does not depend on those it travels with") {
   glass.reflect = grey(0.3), glass.refract = 0.7, glass.ior = 1.4, glass.fresnel = true, glass.specular = 0.5;
   scene::Material film; // bends nothing, so that rays cross it
   film.refract = 0.8, film.reflect = grey(0.1), film.color = Color{0.9, 0.6, 0.7};
-  for (int i = 0; i < 6; ++i) k.add(k.sphere(0.7).at({1.0 * i - 2.5, 0.1 * i, 0}).with(k.material(i % 2 ? glass : film)));
+  for (int i = 0; i < 6; ++i)
+    k.add(k.sphere(0.7).at({1.0 * i - 2.5, 0.1 * i, 0}).with(k.material(i % 2 ? glass : film)));
   k.add(k.plane({0, 1, 0}, -1));
   k.point_light({5, 5, 5});
   k.point_light({-3, 4, 6});
@@ -348,7 +349,8 @@ TEST_CASE("whitted: what a ray sees does not depend on those it travels with") {
       std::array<Ray, accel::packet_size> rays;
       std::array<Color, accel::packet_size> seen;
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        const double x = -3 + 0.1 * place + spread * static_cast<double>(i % 4), y = -0.4 + spread * static_cast<double>(i / 4);
+        const double x = -3 + 0.1 * place + spread * static_cast<double>(i % 4),
+                     y = -0.4 + spread * static_cast<double>(i / 4);
         rays[i] = {{0.2, 1, 7}, normalize(Vec3{x, y, 0} - Vec3{0.2, 1, 7})};
       }
       const std::size_t count = place % 3 == 0 ? rays.size() : 5;

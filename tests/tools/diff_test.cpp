@@ -14,16 +14,23 @@ namespace {
 
 constexpr int width = 40, height = 30;
 
-template <class Value> std::vector<double> grey(Value&& value) {
+template <class Value>
+std::vector<double> grey(Value&& value) {
   std::vector<double> picture;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) picture.push_back(value(x, y));
   return picture;
 }
 
-int waves(int x, int y) { return (x * x + 3 * y * y + x * y) % 256; }
-int torn(int x, int y) { return (x + y) % 3 ? (waves(x, y) * 7 + x * 11) / 8 % 256 : waves(x, y); }
-int noisy(int x, int y) { return std::clamp(waves(x, y) + (x * 5 + y * 3) % 17 - 8, 0, 255); }
+int waves(int x, int y) {
+  return (x * x + 3 * y * y + x * y) % 256;
+}
+int torn(int x, int y) {
+  return (x + y) % 3 ? (waves(x, y) * 7 + x * 11) / 8 % 256 : waves(x, y);
+}
+int noisy(int x, int y) {
+  return std::clamp(waves(x, y) + (x * 5 + y * 3) % 17 - 8, 0, 255);
+}
 
 // Grey as it is shown, so that sRGB values are what is asked for.
 Film shown(double value, int side = 12) {
@@ -34,8 +41,8 @@ Film shown(double value, int side = 12) {
 } // namespace
 
 // The numbers are those of scikit-image 0.19.3, structural_similarity(a, b, gaussian_weights=True, sigma=1.5,
-// use_sample_covariance=False, data_range=255). On its camera picture of 512 × 512 and the noise of its own test (seed 5,
-// deviation 20), for which IPOL's imdiff gives 0.357959, it gives 0.3579642 and `rtlang diff` 0.357964.
+// use_sample_covariance=False, data_range=255). On its camera picture of 512 × 512 and the noise of its own test (seed
+// 5, deviation 20), for which IPOL's imdiff gives 0.357959, it gives 0.3579642 and `rtlang diff` 0.357964.
 TEST_CASE("diff: structural similarity is that of scikit-image") {
   const auto a = grey(waves), b = grey(torn), c = grey(noisy);
   CHECK(structural_similarity(a, b, width, height, 255) == Approx(0.9371309805415842).epsilon(1e-12));
@@ -76,17 +83,20 @@ TEST_CASE("diff: pictures of any kind of file, a map on demand, and the exit cod
   const tests::TestFolder folder;
   tests::RunOptions here;
   here.folder = folder.path();
-  const std::string scene = "size: [40, 30]\ncamera { at: [0, 1, 5] }\nlight { at: [2, 4, 3] }\nbackground: #9cc4e8\nsphere { material: ";
+  const std::string scene =
+      "size: [40, 30]\ncamera { at: [0, 1, 5] }\nlight { at: [2, 4, 3] }\nbackground: #9cc4e8\nsphere { material: ";
   folder.write("a.rtl", scene + "tomato }\n");
   folder.write("b.rtl", scene + "teal, radius: 1.1 }\n");
-  for (const char* name : {"a.png", "a.ppm", "a.exr"}) REQUIRE(tests::rtlang({"a.rtl", "-q", "-o", name}, here).exit_code == 0);
+  for (const char* name : {"a.png", "a.ppm", "a.exr"})
+    REQUIRE(tests::rtlang({"a.rtl", "-q", "-o", name}, here).exit_code == 0);
   REQUIRE(tests::rtlang({"b.rtl", "-q", "-o", "b.exr"}, here).exit_code == 0);
 
   CHECK(tests::rtlang({"diff", "a.png", "a.ppm"}, here).exit_code == 0);
   CHECK(tests::rtlang({"diff", "a.png", "a.exr"}, here).exit_code == 1);
   CHECK(tests::rtlang({"diff", "a.png", "a.exr", "--gate", "equal_8bit=1"}, here).exit_code == 0);
   CHECK(tests::rtlang({"diff", "a.exr", "a.exr", "--gate", "objects=0", "--gate", "depth=0"}, here).exit_code == 0);
-  const tests::Outcome differs = tests::rtlang({"diff", "a.exr", "b.exr", "--gate", "objects=0", "-o", "map.png"}, here);
+  const tests::Outcome differs =
+      tests::rtlang({"diff", "a.exr", "b.exr", "--gate", "objects=0", "-o", "map.png"}, here);
   CHECK(differs.exit_code == 1);
   CHECK(differs.output.find("FAILS") != std::string::npos);
   CHECK_FALSE(folder.read("map.png").empty());

@@ -3,10 +3,10 @@
 #include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
-#include <filesystem>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 
 using namespace rt::tests;
 using Catch::Matchers::Contains;
@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* messy = "// a ball\nsphere{radius:2,at:[ 1,2 ,3 ]} // big\n\n\n\nbox{\nsize:1,at:[0,4,0]}\n";
-constexpr const char* tidy = "// a ball\nsphere { radius: 2, at: [1, 2, 3] } // big\n\nbox {\n  size: 1\n  at: [0, 4, 0]\n}\n";
+constexpr const char* tidy =
+    "// a ball\nsphere { radius: 2, at: [1, 2, 3] } // big\n\nbox {\n  size: 1\n  at: [0, 4, 0]\n}\n";
 
 struct Desk {
   TestFolder folder;
@@ -27,7 +28,9 @@ struct Desk {
   }
 };
 
-fs::perms permissions(const std::string& path) { return fs::status(path).permissions(); }
+fs::perms permissions(const std::string& path) {
+  return fs::status(path).permissions();
+}
 
 TEST_CASE("fmt: files are rewritten in place, in silence, and their permissions stay") {
   const Desk desk;
@@ -147,6 +150,8 @@ TEST_CASE("fmt: the examples are laid out as it would lay them out") {
   CHECK(run.exit_code == 0);
 }
 
-TEST_CASE("fmt: without a file the command line is wrong") { CHECK(Desk().run({}).exit_code == 2); }
+TEST_CASE("fmt: without a file the command line is wrong") {
+  CHECK(Desk().run({}).exit_code == 2);
+}
 
 } // namespace

@@ -3,14 +3,14 @@
 #include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
-
-#include <catch2/catch.hpp>
 
 using namespace rt::tests;
 using Catch::Matchers::Contains;
@@ -134,7 +134,8 @@ TEST_CASE("help: the manual page speaks of no option that is not there") {
 }
 
 TEST_CASE("help: groff reads the manual page without a warning") {
-  const Outcome run = run_program("/usr/bin/groff", {"-man", "-Tutf8", "-ww", "-z", (installed_files / "rtlang.1").string()});
+  const Outcome run =
+      run_program("/usr/bin/groff", {"-man", "-Tutf8", "-ww", "-z", (installed_files / "rtlang.1").string()});
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
 }
@@ -147,9 +148,10 @@ TEST_CASE("completion: bash offers commands, options, values and files") {
     RunOptions options = with_program_in_path();
     options.folder = folder.path();
     const Outcome run = run_program(
-        "/bin/bash", {"--norc", "-c",
-                      "shopt -s extglob; source '" + (installed_files / "rtlang.bash").string() + "' || exit 9; COMP_WORDS=(" +
-                          words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rtlang; printf '%s\\n' \"${COMPREPLY[@]}\""},
+        "/bin/bash",
+        {"--norc", "-c",
+         "shopt -s extglob; source '" + (installed_files / "rtlang.bash").string() + "' || exit 9; COMP_WORDS=(" +
+             words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rtlang; printf '%s\\n' \"${COMPREPLY[@]}\""},
         options);
     CHECK(run.exit_code == 0);
     CHECK(run.errors.empty());
@@ -174,12 +176,13 @@ TEST_CASE("completion: zsh offers commands, options and values") {
   CHECK(run_program("/usr/bin/zsh", {"-f", "-n", file}).exit_code == 0);
   const auto offered = [&](const std::string& typed) {
     // The completion system's own functions stand in for themselves by printing what they are given.
-    const Outcome run = run_program("/usr/bin/zsh",
-                                    {"-f", "-c",
-                                     "_describe() { local -a list=(\"${(@P)2}\"); print -rl -- ${list%%:*} } ; _files() { print files } ; "
-                                     "compadd() { print -rl -- $@ } ; words=(" +
-                                         typed + "); CURRENT=$#words; PREFIX=$words[-1]; source '" + file + "'"},
-                                    with_program_in_path());
+    const Outcome run = run_program(
+        "/usr/bin/zsh",
+        {"-f", "-c",
+         "_describe() { local -a list=(\"${(@P)2}\"); print -rl -- ${list%%:*} } ; _files() { print files } ; "
+         "compadd() { print -rl -- $@ } ; words=(" +
+             typed + "); CURRENT=$#words; PREFIX=$words[-1]; source '" + file + "'"},
+        with_program_in_path());
     CHECK(run.exit_code == 0);
     CHECK(run.errors.empty());
     return lines_of(run.output);

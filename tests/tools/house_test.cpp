@@ -2,6 +2,8 @@
 
 #include "tests/paths.hpp"
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -11,8 +13,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <catch2/catch.hpp>
 
 namespace fs = std::filesystem;
 
@@ -68,12 +68,12 @@ const std::vector<Arrow> arrows{
 
 /// Libraries that stay behind one door.
 struct Door {
-  std::string library;               ///< how its includes start
-  std::vector<std::string> behind;   ///< how the paths of those who may include it start
+  std::string library;             ///< how its includes start
+  std::vector<std::string> behind; ///< how the paths of those who may include it start
 };
 const std::vector<Door> doors{
     {"embree3/", {"renderer/accel/", "tools/bench/bars/"}}, // the latter measures Embree by itself
-    {"tao/", {"lang/", "tests/lang/"}}, // see below
+    {"tao/", {"lang/", "tests/lang/"}},                     // see below
     {"CLI/", {"tools/"}},
 };
 

@@ -3,12 +3,12 @@
 #include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
 
+#include <catch2/catch.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
-
-#include <catch2/catch.hpp>
 
 using namespace rt::tests;
 namespace fs = std::filesystem;
@@ -37,7 +37,8 @@ std::vector<std::string> blocks(const std::string& text, const std::string& lang
 TEST_CASE("install: program, library, examples, manual page and completion are where they belong, and it runs") {
   const TestFolder folder;
   const fs::path build = fs::path(RTLANG_BINARY).parent_path();
-  const Outcome install = run_program("/usr/bin/cmake", {"--install", build.string(), "--prefix", folder.path().string()});
+  const Outcome install =
+      run_program("/usr/bin/cmake", {"--install", build.string(), "--prefix", folder.path().string()});
   REQUIRE(install.exit_code == 0);
   std::set<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
@@ -49,12 +50,13 @@ TEST_CASE("install: program, library, examples, manual page and completion are w
     CHECK(files.contains(file));
   }
   bool has_library = false;
-  for (const std::string& file : files) has_library |= file.starts_with("share/rtlang/library/") && file.ends_with(".rtl");
+  for (const std::string& file : files)
+    has_library |= file.starts_with("share/rtlang/library/") && file.ends_with(".rtl");
   CHECK(has_library);
 
   // It uses nothing of the place where it was built.
-  const Outcome run = run_program(folder / "bin/rtlang", {folder / "share/rtlang/examples/metals.rtl", "--size", "16x12", "-q", "-o",
-                                                          folder / "out.png"});
+  const Outcome run = run_program(folder / "bin/rtlang", {folder / "share/rtlang/examples/metals.rtl", "--size",
+                                                          "16x12", "-q", "-o", folder / "out.png"});
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
   CHECK(folder.read("out.png").size() > 100);

@@ -13,7 +13,8 @@ namespace {
 std::string exported(const SceneBuilder& b, Pass pass = Pass::color) {
   return export_povray(b.scene, {.pass = pass, .comments = false}).text;
 }
-template <class S> std::string exported_shape(S shape) {
+template <class S>
+std::string exported_shape(S shape) {
   SceneBuilder b;
   b.place(std::move(shape));
   return exported(b);
@@ -38,11 +39,13 @@ TEST_CASE("export: the camera is four vectors, its width that of the horizontal 
   b.scene.camera = {.at = {0, 0, 5}, .look_at = {0, 0, 0}, .up = {0, 2, 0}, .fov = 90};
   const std::string text = exported(b);
   // 2 · tan 45° wide, half of it high.
-  CHECK_THAT(text, Contains("perspective\n  location <0, 0, 5>\n  direction <0, 0, -1>\n  right <2, 0, 0>\n  up <0, 1, 0>") ||
-                       Contains("right <1.9999999999999998, 0, 0>\n  up <0, 0.9999999999999999, 0>"));
+  CHECK_THAT(text,
+             Contains("perspective\n  location <0, 0, 5>\n  direction <0, 0, -1>\n  right <2, 0, 0>\n  up <0, 1, 0>") ||
+                 Contains("right <1.9999999999999998, 0, 0>\n  up <0, 0.9999999999999999, 0>"));
   b.scene.camera.projection = scene::Projection::orthographic;
   b.scene.camera.width = 6;
-  CHECK_THAT(exported(b), Contains("orthographic\n  location <0, 0, 5>\n  direction <0, 0, -1>\n  right <6, 0, 0>\n  up <0, 3, 0>"));
+  CHECK_THAT(exported(b),
+             Contains("orthographic\n  location <0, 0, 5>\n  direction <0, 0, -1>\n  right <6, 0, 0>\n  up <0, 3, 0>"));
 }
 
 TEST_CASE("export: one level more than the greatest depth, and nothing is cut off") {
@@ -78,22 +81,34 @@ TEST_CASE("export: shapes and their forms") {
   CHECK_THAT(exported_shape(box), Contains("box { <1, 2, 3>, <4, 5, 6> "));
   CHECK_THAT(exported_shape(scene::Disc{{0, 0, 1}, 2, 0.5}), Contains("disc { 0, <0, 0, 1>, 2, 0.5 "));
   scene::Triangle t;
-  CHECK_THAT(exported_shape(t), Contains(" triangle { <-0.5, 0, 0>, <0.5, 0, 0>, <0, 1, 0> ") || Contains("\ntriangle { <-0.5, 0, 0>, <0.5, 0, 0>, <0, 1, 0> "));
+  CHECK_THAT(exported_shape(t), Contains(" triangle { <-0.5, 0, 0>, <0.5, 0, 0>, <0, 1, 0> ") ||
+                                    Contains("\ntriangle { <-0.5, 0, 0>, <0.5, 0, 0>, <0, 1, 0> "));
   t.normals = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
-  CHECK_THAT(exported_shape(t), Contains("smooth_triangle { <-0.5, 0, 0>, <0, 0, 1>, <0.5, 0, 0>, <1, 0, 1>, <0, 1, 0>, <0, 1, 1> "));
+  CHECK_THAT(exported_shape(t),
+             Contains("smooth_triangle { <-0.5, 0, 0>, <0, 0, 1>, <0.5, 0, 0>, <1, 0, 1>, <0, 1, 0>, <0, 1, 1> "));
   CHECK_THAT(exported_shape(scene::Polygon{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}),
              Contains("polygon { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0> "));
   scene::Quad quad;
-  CHECK_THAT(exported_shape(quad), Contains("polygon { 5, <-0.5, 0, 0.5>, <0.5, 0, 0.5>, <0.5, 0, -0.5>, <-0.5, 0, -0.5>, <-0.5, 0, 0.5> "));
+  CHECK_THAT(exported_shape(quad),
+             Contains("polygon { 5, <-0.5, 0, 0.5>, <0.5, 0, 0.5>, <0.5, 0, -0.5>, <-0.5, 0, -0.5>, <-0.5, 0, 0.5> "));
   quad.corner = Vec3{1, 1, 1}, quad.edge_u = Vec3{1, 0, 0}, quad.edge_v = Vec3{0, 2, 0};
   CHECK_THAT(exported_shape(quad), Contains("polygon { 5, <1, 1, 1>, <2, 1, 1>, <2, 3, 1>, <1, 3, 1>, <1, 1, 1> "));
 }
 
 TEST_CASE("export: every term of a material") {
   SceneBuilder b;
-  const auto m = b.material({.color = Color{0.1, 0.2, 0.3}, .ambient = grey(0.5), .diffuse = grey(0.6), .emission = grey(0.7),
-                             .specular = 0.4, .shininess = 50, .highlight = scene::Highlight::blinn, .metallic = 0.8,
-                             .reflect = Color{0.9, 0.8, 0.7}, .refract = 0.25, .ior = 1.5, .fresnel = false});
+  const auto m = b.material({.color = Color{0.1, 0.2, 0.3},
+                             .ambient = grey(0.5),
+                             .diffuse = grey(0.6),
+                             .emission = grey(0.7),
+                             .specular = 0.4,
+                             .shininess = 50,
+                             .highlight = scene::Highlight::blinn,
+                             .metallic = 0.8,
+                             .reflect = Color{0.9, 0.8, 0.7},
+                             .refract = 0.25,
+                             .ior = 1.5,
+                             .fresnel = false});
   b.place(scene::Sphere{1}, m);
   const std::string text = exported(b);
   CHECK_THAT(text, Contains("pigment { rgbf <0.1, 0.2, 0.3, 0.25> }"));
@@ -102,7 +117,8 @@ TEST_CASE("export: every term of a material") {
   CHECK_THAT(text, Contains("sphere { 0, 1 texture { material_1 } interior { ior 1.5 } }"));
   b.scene.materials[0].fresnel = true;
   b.scene.materials[0].highlight = scene::Highlight::phong;
-  CHECK_THAT(exported(b), Contains("phong 0.4 phong_size 50 metallic 0.8 reflection { rgb 0, rgb <0.9, 0.8, 0.7> fresnel on metallic 0.8 } conserve_energy }"));
+  CHECK_THAT(exported(b), Contains("phong 0.4 phong_size 50 metallic 0.8 reflection { rgb 0, rgb <0.9, 0.8, 0.7> "
+                                   "fresnel on metallic 0.8 } conserve_energy }"));
 }
 
 TEST_CASE("export: a pattern of numbers becomes a pattern of textures, and what stands inside is moved back") {
@@ -127,11 +143,15 @@ TEST_CASE("export: lights, their fades and placements") {
   b.scene.lights[0].source = scene::PointLight{{white, 2, false}, {1, 2, 3}, {scene::Fade::Law::linear, 4}};
   b.scene.lights[0].chain = {scene::MoveStep{{0, 1, 0}}};
   b.scene.lights[0].enclosing = {{{1, 1, 1}, {0, 90, 0}, {}, {}}};
-  CHECK_THAT(exported(b), Contains("rgb <1, 1, 1> fade_distance 4 fade_power 1 shadowless translate <0, 1, 0> rotate <0, 90, 0> }"));
+  CHECK_THAT(exported(b),
+             Contains("rgb <1, 1, 1> fade_distance 4 fade_power 1 shadowless translate <0, 1, 0> rotate <0, 90, 0> }"));
   b.scene.lights[0].source = scene::SunLight{{white, 1, true}, {0, -2, 0}};
   CHECK_THAT(exported(b), Contains("light_source { <0, 100000000, 0>, rgb <1, 1, 1> parallel point_at 0 }"));
   b.scene.lights[0] = {scene::SpotLight{{white, 1, true}, {0, 5, 0}, {}, 30, 50, {}}, {}, {}, scene::no_name, {}};
-  CHECK_THAT(exported(b), Contains("light_source { <0, 5, 0>, rgb <1, 1, 1> spotlight point_at <0, 0, 0> radius 15 falloff 25 tightness 0 }"));
+  CHECK_THAT(
+      exported(b),
+      Contains(
+          "light_source { <0, 5, 0>, rgb <1, 1, 1> spotlight point_at <0, 0, 0> radius 15 falloff 25 tightness 0 }"));
 }
 
 TEST_CASE("export: groups keep every surface, solids their outer boundary, and shared groups are written once") {
@@ -143,12 +163,15 @@ TEST_CASE("export: groups keep every surface, solids their outer boundary, and s
   b.scene.objects.back().at = {3, 0, 0};
   const std::string text = exported(b);
   CHECK(count(text, "sphere {") == 2);
-  CHECK_THAT(text, Contains("#declare shared_1 = union {") && Contains("object { shared_1 texture { material_default } translate <3, 0, 0> }"));
+  CHECK_THAT(text, Contains("#declare shared_1 = union {") &&
+                       Contains("object { shared_1 texture { material_default } translate <3, 0, 0> }"));
   CHECK(count(exported(b, Pass::ids), "sphere {") == 4);
 
   SceneBuilder solid;
-  scene::Combination difference{scene::Combination::Operation::subtract,
-                                {solid.object(scene::Sphere{1}), solid.object(scene::Group{{solid.object(scene::Box{}), solid.object(scene::Sphere{2})}})}};
+  scene::Combination difference{
+      scene::Combination::Operation::subtract,
+      {solid.object(scene::Sphere{1}),
+       solid.object(scene::Group{{solid.object(scene::Box{}), solid.object(scene::Sphere{2})}})}};
   solid.place(difference);
   CHECK_THAT(exported(solid), Contains("difference {") && Contains("merge {") && !Contains("union {"));
 }

@@ -65,7 +65,8 @@ TEST_CASE("exporter's maps: a placement scales, rotates, moves, then follows its
 }
 
 TEST_CASE("exporter's maps: the inverse undoes") {
-  const Map map = map_of(scene::Placement{{2, -3, 0.5}, {10, 20, 30}, {4, 5, 6}, {scene::ShearStep{0.2, 0, 0.4, 0, 0, 0.1, {}}}});
+  const Map map =
+      map_of(scene::Placement{{2, -3, 0.5}, {10, 20, 30}, {4, 5, 6}, {scene::ShearStep{0.2, 0, 0.4, 0, 0, 0.1, {}}}});
   const Vec3 p{1.5, -2.5, 3.5};
   const Vec3 back = inverse(map).point(map.point(p));
   CHECK(back.x == Approx(p.x).epsilon(1e-14));
@@ -84,7 +85,8 @@ TEST_CASE("exported numbers read back as the same double, in as few digits as th
 TEST_CASE("exported transforms are POV-Ray's own words where it has them, a matrix where it has none") {
   CHECK(transforms({{2, 2, 2}, {0, 30, 0}, {1, 2, 3}, {}}) == " scale 2 rotate <0, 30, 0> translate <1, 2, 3>");
   CHECK(transforms({{1, 1, 1}, {}, {}, {}}) == "");
-  CHECK(transform(scene::ScaleStep{{1, 2, 1}, {0, 1, 0}}) == " translate <0, -1, 0> scale <1, 2, 1> translate <0, 1, 0>");
+  CHECK(transform(scene::ScaleStep{{1, 2, 1}, {0, 1, 0}}) ==
+        " translate <0, -1, 0> scale <1, 2, 1> translate <0, 1, 0>");
   CHECK(transform(scene::ShearStep{0.5, 0, 0, 0, 0, 0, {}}) == " matrix <1, 0, 0, 0.5, 1, 0, 0, 0, 1, 0, 0, 0>");
   // Rows are the images of x, y and z, then the translation.
   CHECK(transform(scene::MatrixStep{{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {11, 12, 13}}}) ==

@@ -25,7 +25,8 @@ std::string message(std::uint32_t count, const std::string& attributes) {
   const std::string object = "RAWSOBJE" + u32(count) + attributes;
   return "POVRAYMS" + u32(0) + u32(static_cast<std::uint32_t>(16 + object.size() - 20)) + object;
 }
-std::string block(std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom, const std::string& pixels) {
+std::string block(std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom,
+                  const std::string& pixels) {
   const std::string counted = "PBloVFL4" + u32(static_cast<std::uint32_t>(pixels.size() / 4)) + pixels;
   return message(6, attribute("CLAS", "TYPE", "PixD") + counted + attribute("Left", "INT4", u32(left)) +
                         attribute("Top ", "INT4", u32(top)) + attribute("Righ", "INT4", u32(right)) +

@@ -52,7 +52,8 @@ TEST_CASE("probe: a hit names the object, its line and the pattern's colour ther
   CHECK(j["hits"][2]["material"]["color"] == nlohmann::ordered_json({1.0, 0.0, 0.0}));
   CHECK(j["hits"][2]["objects"][0]["line"] == 4);
   const ask::NamedRay away{{{0, 0, 9}, {0, 1, 0}}, "ray"};
-  CHECK(ask::probe_text(scene, away, ask::find_hits(tracer, away.ray, false), false).find("hits nothing") != std::string::npos);
+  CHECK(ask::probe_text(scene, away, ask::find_hits(tracer, away.ray, false), false).find("hits nothing") !=
+        std::string::npos);
 }
 
 TEST_CASE("probe: a pixel means its centre, a point counts from the corner, and both agree") {

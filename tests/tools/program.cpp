@@ -1,5 +1,13 @@
-#include "tests/paths.hpp"
 #include "tests/tools/program.hpp"
+
+#include "tests/paths.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,13 +17,6 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <pty.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace rt::tests {
 namespace {
@@ -68,8 +69,8 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 /// In the child: becomes the program. Only calls that are allowed after a fork.
-[[noreturn]] void become(int program, const RunOptions& options, char* const* arguments, char* const* environment, int in,
-                         int out, int err) {
+[[noreturn]] void become(int program, const RunOptions& options, char* const* arguments, char* const* environment,
+                         int in, int out, int err) {
   ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
@@ -115,16 +116,20 @@ public:
     }
     while (exchange()) {
     }
-    if (was_sent_) outcome_.since_signal = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - sent_at_);
-    if (WIFEXITED(status)) outcome_.exit_code = WEXITSTATUS(status);
-    else outcome_.signal = WTERMSIG(status);
+    if (was_sent_)
+      outcome_.since_signal = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - sent_at_);
+    if (WIFEXITED(status))
+      outcome_.exit_code = WEXITSTATUS(status);
+    else
+      outcome_.signal = WTERMSIG(status);
     return outcome_;
   }
 
 private:
   /// Moves what is there to be moved, waiting for it a short time; false if there was nothing.
   bool exchange() {
-    std::array<pollfd, 3> files{pollfd{in_.write_end, POLLOUT, 0}, {out_.read_end, POLLIN, 0}, {err_.read_end, POLLIN, 0}};
+    std::array<pollfd, 3> files{
+        pollfd{in_.write_end, POLLOUT, 0}, {out_.read_end, POLLIN, 0}, {err_.read_end, POLLIN, 0}};
     if (::poll(files.data(), files.size(), 5) <= 0) return false;
     bool moved = false;
     if (files[0].revents != 0) moved |= feed();
@@ -208,9 +213,11 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = options.environment;
-  for (const std::string variable : {"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", "TERM=xterm"}) {
+  for (const std::string variable :
+       {"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", "TERM=xterm"}) {
     const std::string name = variable.substr(0, variable.find('=') + 1);
-    if (std::none_of(environment.begin(), environment.end(), [&](const auto& given) { return given.starts_with(name); }))
+    if (std::none_of(environment.begin(), environment.end(),
+                     [&](const auto& given) { return given.starts_with(name); }))
       environment.push_back(variable);
   }
   // What the thread sanitizer is told counts for the program too.

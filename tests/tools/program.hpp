@@ -30,14 +30,14 @@ struct RunOptions {
   std::filesystem::path folder = "/"; ///< the working folder
   std::string input;                  ///< for its standard input
   std::vector<std::string> environment;
-  bool error_is_terminal = false; ///< 80 columns, TERM=xterm
-  bool closes_output = false;     ///< nobody reads its standard output
-  bool as_nobody = false;         ///< without root's rights, where the test has them
+  bool error_is_terminal = false;           ///< 80 columns, TERM=xterm
+  bool closes_output = false;               ///< nobody reads its standard output
+  bool as_nobody = false;                   ///< without root's rights, where the test has them
   std::optional<std::size_t> greatest_file; ///< bytes; what goes beyond fails, as on a full disk
   /// Sent as soon as the program listens to it, after `signal_delay` more.
   std::optional<int> signal;
   std::chrono::milliseconds signal_delay{0};
-  std::string signal_after; ///< and not before this stands in what it wrote to standard error
+  std::string signal_after;            ///< and not before this stands in what it wrote to standard error
   std::chrono::seconds time_limit{60}; ///< then it is killed
 };
 
@@ -49,7 +49,8 @@ struct Outcome {
 };
 
 /// Runs a program to its end. Throws std::system_error if it cannot be started.
-Outcome run_program(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options = {});
+Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
+                    const RunOptions& options = {});
 /// The same for rtlang.
 Outcome rtlang(const std::vector<std::string>& arguments, const RunOptions& options = {});
 

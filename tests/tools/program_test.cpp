@@ -3,13 +3,13 @@
 #include "renderer/image/image.hpp"
 #include "tests/tools/program.hpp"
 
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <csignal>
 #include <regex>
 #include <sstream>
-
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using namespace rt;
 using namespace rt::tests;
@@ -44,7 +44,9 @@ struct Desk {
   Image image(const std::string& name) const { return read_image(folder / name); }
 };
 
-bool same(const Rgb32& a, const Rgb32& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+bool same(const Rgb32& a, const Rgb32& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b;
+}
 
 } // namespace
 
@@ -65,7 +67,8 @@ TEST_CASE("program: without -o the picture is a png with the scene's name in the
 
 TEST_CASE("program: one run writes several pictures, each in the format that its name says") {
   const Desk desk;
-  const Outcome run = desk.run({"scene.rtl", "-o", "a.png", "-o", "b.exr", "--output", "c.ppm", "--output=d.pfm", "--bits", "16"});
+  const Outcome run =
+      desk.run({"scene.rtl", "-o", "a.png", "-o", "b.exr", "--output", "c.ppm", "--output=d.pfm", "--bits", "16"});
   REQUIRE(run.exit_code == 0);
   CHECK_THAT(run.errors, StartsWith("a.png, b.exr, c.ppm, d.pfm: "));
   const Image a = desk.image("a.png"), b = desk.image("b.exr"), c = desk.image("c.ppm"), d = desk.image("d.pfm");
@@ -124,7 +127,8 @@ TEST_CASE("program: size, samples, depth and crop") {
   CHECK(part.height == 30);
   bool is_that_part = true;
   for (int y = 0; y < 30; ++y)
-    for (int x = 0; x < 20; ++x) is_that_part &= same(part.color[part.index(x, y)], large.color[large.index(x + 10, y + 20)]);
+    for (int x = 0; x < 20; ++x)
+      is_that_part &= same(part.color[part.index(x, y)], large.color[large.index(x + 10, y + 20)]);
   CHECK(is_that_part);
   // Four rays for each pixel are the rays of a picture twice as large, averaged.
   double greatest = 0;
@@ -142,7 +146,8 @@ TEST_CASE("program: size, samples, depth and crop") {
 TEST_CASE("program: the picture is the same bytes for any number of threads") {
   const Desk desk;
   for (const char* threads : {"1", "2", "7"})
-    REQUIRE(desk.run({"scene.rtl", "--size", "160x120", "--threads", threads, "-o", std::string(threads) + ".exr"}).exit_code == 0);
+    REQUIRE(desk.run({"scene.rtl", "--size", "160x120", "--threads", threads, "-o", std::string(threads) + ".exr"})
+                .exit_code == 0);
   CHECK(desk.folder.read("1.exr") == desk.folder.read("2.exr"));
   CHECK(desk.folder.read("1.exr") == desk.folder.read("7.exr"));
 }
@@ -234,11 +239,14 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"scene.rtl", "--size", "0x6"}) == "rtlang: --size takes whole numbers from 1 to 65536, not 0");
   CHECK(message({"scene.rtl", "--size"}) == "rtlang: --size takes a value: --size WxH");
   CHECK_THAT(message({"scene.rtl", "--samples", "3"}), StartsWith("rtlang: --samples cannot be 3: "));
-  CHECK(message({"scene.rtl", "--max-depth", "-1"}) == "rtlang: --max-depth takes whole numbers from 0 to 1000, not -1");
+  CHECK(message({"scene.rtl", "--max-depth", "-1"}) ==
+        "rtlang: --max-depth takes whole numbers from 0 to 1000, not -1");
   CHECK(message({"scene.rtl", "--bits", "12"}) == "rtlang: --bits takes one of 8, 16, not `12`");
   CHECK(message({"scene.rtl", "--threads", "0"}) == "rtlang: --threads takes a whole number from 1 to 1024, not `0`");
-  CHECK(message({"scene.rtl", "--crop", "1,2,3"}) == "rtlang: --crop takes X0,Y0,X1,Y1, as in 0,0,400,300, not `1,2,3`");
-  CHECK_THAT(message({"scene.rtl", "--crop", "0,0,41,30"}), StartsWith("rtlang: --crop 0,0,41,30 is no part of a picture of 40x30"));
+  CHECK(message({"scene.rtl", "--crop", "1,2,3"}) ==
+        "rtlang: --crop takes X0,Y0,X1,Y1, as in 0,0,400,300, not `1,2,3`");
+  CHECK_THAT(message({"scene.rtl", "--crop", "0,0,41,30"}),
+             StartsWith("rtlang: --crop 0,0,41,30 is no part of a picture of 40x30"));
   CHECK_THAT(message({"scene.rtl", "--crop", "5,5,5,9"}), Contains("is no part"));
   CHECK(message({"scene.rtl", "-o", "a.jpg"}) ==
         "rtlang: `a.jpg` does not end in .png, .exr, .ppm or .pfm: say which with --format");
@@ -267,7 +275,8 @@ TEST_CASE("program: what cannot be read or written ends with 3 and is named") {
   CHECK(message({"no.rtl"}) == "rtlang: cannot read `no.rtl`: No such file or directory\n");
   CHECK(message({"."}) == "rtlang: cannot read `.`: Is a directory\n");
   CHECK(message({"scene.rtl", "-o", "no/a.png"}) == "rtlang: cannot write `no/a.png`: No such file or directory\n");
-  CHECK_THAT(message({"scene.rtl", "-q", "-o", "/dev/full"}), Contains("cannot write `/dev/full`: No space left on device"));
+  CHECK_THAT(message({"scene.rtl", "-q", "-o", "/dev/full"}),
+             Contains("cannot write `/dev/full`: No space left on device"));
   CHECK(desk.folder.names() == Names{"scene.rtl"});
 }
 
@@ -315,7 +324,8 @@ TEST_CASE("program: a reader that has enough is no error to talk about") {
 TEST_CASE("program: statistics as a table or as JSON") {
   const Desk desk;
   const Outcome table = desk.run({"--stats", "scene.rtl"});
-  CHECK_THAT(table.errors, Contains("\npicture     40×30, 1 sample a pixel: scene.png\n") && Contains("\nmemory      "));
+  CHECK_THAT(table.errors,
+             Contains("\npicture     40×30, 1 sample a pixel: scene.png\n") && Contains("\nmemory      "));
   CHECK(table.output.empty());
   for (const auto& arguments : {Names{"scene.rtl", "--stats", "json"}, Names{"--stats=json", "scene.rtl", "-q"}}) {
     const json j = json::parse(desk.run(arguments).output);
@@ -343,14 +353,17 @@ TEST_CASE("program: Ctrl-C stops within a second and leaves nothing") {
   }
   SECTION("while rendering, and what there is is wanted") {
     desk.options.signal_delay = std::chrono::milliseconds(300);
-    const Outcome run = desk.run({"scene.rtl", "--size", "800x600", "--samples", "62500", "--keep-partial", "-o", "a.png"});
+    const Outcome run =
+        desk.run({"scene.rtl", "--size", "800x600", "--samples", "62500", "--keep-partial", "-o", "a.png"});
     CHECK(run.exit_code == 130);
     CHECK(run.since_signal < std::chrono::seconds(1));
     CHECK(desk.image("a.png").width == 800);
     CHECK_THAT(run.errors, StartsWith("a.png: 800×600, stopped before it was whole, "));
   }
   SECTION("while the tree of a large scene is built") {
-    desk.folder.write("scene.rtl", "for i in 0..<1e6 { sphere { at: [random(i), random(i, 1), random(i, 2)] * 100, radius: 0.1 } }\n");
+    desk.folder.write(
+        "scene.rtl",
+        "for i in 0..<1e6 { sphere { at: [random(i), random(i, 1), random(i, 2)] * 100, radius: 0.1 } }\n");
     desk.options.signal_after = "there is no light"; // said when it is loaded
     const Outcome run = desk.run({"scene.rtl", "-o", "a.png"});
     CHECK(run.exit_code == 130);
@@ -358,7 +371,8 @@ TEST_CASE("program: Ctrl-C stops within a second and leaves nothing") {
     CHECK(desk.folder.names() == Names{"scene.rtl"});
   }
   SECTION("while loading") {
-    desk.folder.write("scene.rtl", "x = sum([i * j for i in 0..100000 for j in 0..100000])\nsphere { at: [x, 0, 0] }\n");
+    desk.folder.write("scene.rtl",
+                      "x = sum([i * j for i in 0..100000 for j in 0..100000])\nsphere { at: [x, 0, 0] }\n");
     desk.options.signal_delay = std::chrono::milliseconds(300);
     const Outcome run = desk.run({"scene.rtl", "--keep-partial", "--max-steps", "1T"});
     CHECK(run.exit_code == 130);
@@ -379,13 +393,15 @@ TEST_CASE("program: a progress bar is shown on a terminal and taken away at the 
   desk.options.signal_after = "left";
   const Outcome run = desk.run({"scene.rtl", "--size", "4000x4000", "--samples", "100"});
   CHECK(run.exit_code == 130);
-  CHECK(std::regex_search(run.errors, std::regex("^\r\\[[#.]{30}\\] +[0-9]+ %  [0-9.]+ [kM] rays/s  [0-9:]+ (s|min|h) left\x1b\\[K")));
+  CHECK(std::regex_search(
+      run.errors, std::regex("^\r\\[[#.]{30}\\] +[0-9]+ %  [0-9.]+ [kM] rays/s  [0-9:]+ (s|min|h) left\x1b\\[K")));
   CHECK_THAT(run.errors, EndsWith("\r\x1b[K"));
 }
 
 TEST_CASE("program: without a terminal there is no progress bar") {
   const Desk desk;
-  CHECK_THAT(desk.run({"scene.rtl", "--size", "400x300", "--samples", "9"}).errors, !Contains("\r") && StartsWith("scene.png: "));
+  CHECK_THAT(desk.run({"scene.rtl", "--size", "400x300", "--samples", "9"}).errors,
+             !Contains("\r") && StartsWith("scene.png: "));
 }
 
 TEST_CASE("program: ast shows the tree, also of a text that is wrong") {

@@ -1,17 +1,17 @@
 #include "tests/tools/pty.hpp"
 
+#include <poll.h>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
-
-#include <poll.h>
-#include <pty.h>
-#include <sys/ioctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace rt::tests {
 namespace {
@@ -42,16 +42,29 @@ void Screen::write(std::string_view bytes) {
   while (!rest.empty()) {
     std::size_t used = 1;
     switch (rest[0]) {
-    case '\r': x_ = 0; break;
-    case '\n': new_line(); break;
-    case '\b': x_ = std::max(0, x_ - 1); break;
-    case '\t': x_ = std::min(columns_ - 1, (x_ / 8 + 1) * 8); break;
-    case '\a': break;
-    case '\x1b': used = sequence(rest); break;
+    case '\r':
+      x_ = 0;
+      break;
+    case '\n':
+      new_line();
+      break;
+    case '\b':
+      x_ = std::max(0, x_ - 1);
+      break;
+    case '\t':
+      x_ = std::min(columns_ - 1, (x_ / 8 + 1) * 8);
+      break;
+    case '\a':
+      break;
+    case '\x1b':
+      used = sequence(rest);
+      break;
     default:
       used = length_of_utf8(rest[0]);
-      if (used > rest.size()) used = 0;
-      else put(std::string(rest.substr(0, used)));
+      if (used > rest.size())
+        used = 0;
+      else
+        put(std::string(rest.substr(0, used)));
     }
     if (used == 0) break;
     rest.remove_prefix(used);
@@ -89,8 +102,10 @@ std::size_t Screen::sequence(std::string_view bytes) {
   std::vector<int> numbers{0};
   for (std::size_t i = 2; i < bytes.size(); ++i) {
     const char c = bytes[i];
-    if (c >= '0' && c <= '9') numbers.back() = numbers.back() * 10 + (c - '0');
-    else if (c == ';') numbers.push_back(0);
+    if (c >= '0' && c <= '9')
+      numbers.back() = numbers.back() * 10 + (c - '0');
+    else if (c == ';')
+      numbers.push_back(0);
     else if (c >= '@' && c <= '~') {
       if (bytes[2] != '?') control(c, numbers);
       return i + 1;
@@ -105,11 +120,21 @@ void Screen::control(char final, const std::vector<int>& numbers) {
   const auto here = row.begin() + std::min(x_, columns_ - 1);
   const int room = std::max(0, columns_ - x_);
   switch (final) {
-  case 'A': y_ = std::max(0, y_ - n); break;
-  case 'B': y_ = std::min(rows_ - 1, y_ + n); break;
-  case 'C': x_ = std::min(columns_ - 1, x_ + n); break;
-  case 'D': x_ = std::max(0, x_ - n); break;
-  case 'G': x_ = std::min(columns_, n) - 1; break;
+  case 'A':
+    y_ = std::max(0, y_ - n);
+    break;
+  case 'B':
+    y_ = std::min(rows_ - 1, y_ + n);
+    break;
+  case 'C':
+    x_ = std::min(columns_ - 1, x_ + n);
+    break;
+  case 'D':
+    x_ = std::max(0, x_ - n);
+    break;
+  case 'G':
+    x_ = std::min(columns_, n) - 1;
+    break;
   case 'H':
     y_ = std::min(rows_, n) - 1;
     x_ = std::min(columns_, std::max(1, numbers.size() > 1 ? numbers[1] : 1)) - 1;
@@ -122,7 +147,9 @@ void Screen::control(char final, const std::vector<int>& numbers) {
       for (int y = y_ + 1; y < rows_; ++y) erase(y, 0, columns_);
     }
     break;
-  case 'K': numbers[0] == 1 ? erase(y_, 0, x_ + 1) : erase(y_, numbers[0] == 2 ? 0 : x_, columns_); break;
+  case 'K':
+    numbers[0] == 1 ? erase(y_, 0, x_ + 1) : erase(y_, numbers[0] == 2 ? 0 : x_, columns_);
+    break;
   case 'P':
     std::rotate(here, here + std::min(n, room), row.end());
     erase(y_, columns_ - std::min(n, room), columns_);
@@ -131,7 +158,8 @@ void Screen::control(char final, const std::vector<int>& numbers) {
     std::rotate(here, row.end() - std::min(n, room), row.end());
     erase(y_, x_, x_ + std::min(n, room));
     break;
-  default: break; // colours and modes
+  default:
+    break; // colours and modes
   }
 }
 
@@ -221,14 +249,17 @@ int Pty::wait_for_end(std::chrono::milliseconds patience) {
     read(std::chrono::milliseconds(20));
     int status = 0;
     if (waitpid(child_, &status, WNOHANG) != child_) continue;
-    while (read(std::chrono::milliseconds(0))) {}
+    while (read(std::chrono::milliseconds(0))) {
+    }
     child_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   return -1;
 }
 
-void Pty::signal(int number) const { kill(child_, number); }
+void Pty::signal(int number) const {
+  kill(child_, number);
+}
 
 void Pty::hang_up() {
   if (terminal_ >= 0) close(terminal_);

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include <sys/types.h>
 
 /// Programs driven through a pseudo-terminal, as a person at a terminal would.
 namespace rt::tests {
@@ -54,7 +54,8 @@ public:
   /// Waits until the row with the cursor is `row` and nothing more comes.
   bool wait_for_cursor_row(std::string_view row, std::chrono::milliseconds patience = std::chrono::seconds(20));
   /// The same, and until the cursor stands in that column: a row does not show the spaces at its end.
-  bool wait_for_cursor_row(std::string_view row, int column, std::chrono::milliseconds patience = std::chrono::seconds(20));
+  bool wait_for_cursor_row(std::string_view row, int column,
+                           std::chrono::milliseconds patience = std::chrono::seconds(20));
   /// The exit code once the program has ended (128 and more after a signal), -1 when it has not.
   int wait_for_end(std::chrono::milliseconds patience = std::chrono::seconds(20));
 

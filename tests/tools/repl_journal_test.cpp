@@ -1,12 +1,12 @@
 #include "tools/repl/journal.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
-
-#include <unistd.h>
 
 namespace {
 

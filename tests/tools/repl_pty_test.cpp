@@ -2,6 +2,8 @@
 #include "tests/tools/pty.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -9,8 +11,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-
-#include <unistd.h>
 
 // The real program at a terminal of its own, as a person would use it.
 namespace {
@@ -37,7 +37,10 @@ class Terminal : public Pty {
 public:
   explicit Terminal(const Home& home, std::vector<std::string> arguments = {}, int columns = 80, int rows = 24)
       : Pty(command(std::move(arguments)),
-            {{"XDG_STATE_HOME", home.path.string()}, {"TERM", "xterm-256color"}, {"NO_COLOR", "1"}, {"RTLANG_GRAPHICS", "blocks"}},
+            {{"XDG_STATE_HOME", home.path.string()},
+             {"TERM", "xterm-256color"},
+             {"NO_COLOR", "1"},
+             {"RTLANG_GRAPHICS", "blocks"}},
             columns, rows) {
     REQUIRE(wait_for_cursor_row(prompt));
   }
@@ -91,7 +94,8 @@ TEST_CASE("repl at a terminal: the session in the README is what happens") {
   const Home home;
   const std::size_t saved = recorded.find("rtl> :save still\nsaved as still.rtl\n");
   REQUIRE(saved != std::string::npos);
-  recorded.replace(saved, std::string::npos, "rtl> :save " + home.file("still") + "\nsaved as " + home.file("still.rtl") + "\n");
+  recorded.replace(saved, std::string::npos,
+                   "rtl> :save " + home.file("still") + "\nsaved as " + home.file("still.rtl") + "\n");
   Terminal terminal(home, {}, 120, 60);
   std::istringstream lines(recorded);
   for (std::string line; std::getline(lines, line);)
@@ -386,7 +390,8 @@ TEST_CASE("repl at a terminal: a scene on the command line is loaded") {
   terminal.say("ball { at: [0, 2, 0] }");
   terminal.say(":save");
   std::ifstream saved(home.path / "scene.rtl");
-  CHECK(std::string(std::istreambuf_iterator<char>(saved), {}) == "// mine\nball = sphere {}\nball\nball { at: [0, 2, 0] }\n");
+  CHECK(std::string(std::istreambuf_iterator<char>(saved), {}) ==
+        "// mine\nball = sphere {}\nball\nball { at: [0, 2, 0] }\n");
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "tools/repl/picture.hpp"
 
 #include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>

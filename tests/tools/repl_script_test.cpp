@@ -3,6 +3,7 @@
 #include "tools/repl/wrap.hpp"
 
 #include <catch2/catch.hpp>
+
 #include <string>
 
 namespace {
@@ -49,16 +50,18 @@ TEST_CASE("session as a script: input that ends within brackets is a mistake") {
 
 TEST_CASE("session as a script: what it saves makes the same picture, byte for byte") {
   const TestFolder folder;
-  const Outcome outcome = session(
-      folder, "// glass on a floor\nfloor = checker { a: white, b: #333 }\nplane { y: 0, material: floor }\n"
-              "ball = sphere { at: [0, 1, 0], material: glass }\nball\n.move(x: 0.5) // a bit\nfloor = checker { a: navy, b: white }\n"
-              "for i in 0..3{box{size:0.3,at:[i-1.5,0.15,2]// four\n}}\n:set ball.radius 1.2\n"
-              ":render session.png --size 60x40\n:save scene.rtl\n");
+  const Outcome outcome =
+      session(folder, "// glass on a floor\nfloor = checker { a: white, b: #333 }\nplane { y: 0, material: floor }\n"
+                      "ball = sphere { at: [0, 1, 0], material: glass }\nball\n.move(x: 0.5) // a bit\nfloor = checker "
+                      "{ a: navy, b: white }\n"
+                      "for i in 0..3{box{size:0.3,at:[i-1.5,0.15,2]// four\n}}\n:set ball.radius 1.2\n"
+                      ":render session.png --size 60x40\n:save scene.rtl\n");
   REQUIRE(outcome.errors == "");
   REQUIRE(outcome.exit_code == 0);
   const std::string saved = folder.read("scene.rtl");
   CHECK(saved.find("// glass on a floor\n") == 0);
-  CHECK(saved.find("for i in 0..3 {\n  box {\n    size: 0.3\n    at: [i - 1.5, 0.15, 2] // four\n  }\n}\n") != std::string::npos);
+  CHECK(saved.find("for i in 0..3 {\n  box {\n    size: 0.3\n    at: [i - 1.5, 0.15, 2] // four\n  }\n}\n") !=
+        std::string::npos);
   RunOptions options;
   options.folder = folder.path();
   REQUIRE(rt::tests::rtlang({"scene.rtl", "-o", "file.png", "--size", "60x40"}, options).exit_code == 0);
@@ -72,7 +75,8 @@ TEST_CASE("session as a script: what it saves makes the same picture, byte for b
 
 TEST_CASE("session as a script: the reference, POV-Ray's format and the program's own questions are at hand") {
   const TestFolder folder;
-  const Outcome outcome = session(folder, ":doc sphere\n:doc shininess\nsphere {}\n:export pov a.pov\n:probe 400 300\n:why 400 300\n");
+  const Outcome outcome =
+      session(folder, ":doc sphere\n:doc shininess\nsphere {}\n:export pov a.pov\n:probe 400 300\n:why 400 300\n");
   CHECK(outcome.errors == "");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.output.find("radius") != std::string::npos);
@@ -97,7 +101,8 @@ TEST_CASE("session as a script: what is included is found by the program's quest
   std::filesystem::create_directory(folder.path() / "inner");
   folder.write("inner/colors.rtl", "rust = #b7410e\n");
   folder.write("inner/scene.rtl", "use \"colors.rtl\" as colors\nsphere { material: colors.rust }\n");
-  const Outcome outcome = session(folder, ":load inner/scene.rtl\n:probe 400 300\n:save inner/copy.rtl\n:save copy.rtl\n1 + 1\n");
+  const Outcome outcome =
+      session(folder, ":load inner/scene.rtl\n:probe 400 300\n:save inner/copy.rtl\n:save copy.rtl\n1 + 1\n");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.output.find("sphere (session:2)") != std::string::npos);
   CHECK(outcome.errors.find("the files it includes are in") == 0);

@@ -1,13 +1,12 @@
-#include "tools/rtlang/scene_json.hpp"
-
 #include "tests/scene_builder.hpp"
 #include "tools/rtlang/scene_hash.hpp"
-
-#include <functional>
-#include <limits>
+#include "tools/rtlang/scene_json.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include <functional>
+#include <limits>
 
 using namespace rt;
 using nlohmann::json;
@@ -34,9 +33,10 @@ SceneBuilder everything() {
   floor.y = -1;
   b.place(floor);
   const scene::Object member = b.object(scene::Box{}, scene::no_material, {0, 1, 0});
-  b.place(scene::Group{{member, member}}).turn =
-      b.turn({{1, 1, 1}, {0, 30, 0}, {}, {scene::MoveStep{{1, 0, 0}}, scene::ShearStep{.xy = 0.5}, scene::MatrixStep{}}});
-  b.place(scene::Combination{scene::Combination::Operation::subtract, {b.object(scene::Box{}), b.object(scene::Sphere{})}});
+  b.place(scene::Group{{member, member}}).turn = b.turn(
+      {{1, 1, 1}, {0, 30, 0}, {}, {scene::MoveStep{{1, 0, 0}}, scene::ShearStep{.xy = 0.5}, scene::MatrixStep{}}});
+  b.place(
+      scene::Combination{scene::Combination::Operation::subtract, {b.object(scene::Box{}), b.object(scene::Sphere{})}});
   b.light(scene::SpotLight{{}, {0, 5, 0}, {}, 20, 30.0, {scene::Fade::Law::quadratic, 2}});
   b.scene.lights[0].name = scene::NameId{1};
   b.scene.lights[0].enclosing = {{{1, 1, 1}, {}, {0, 0, 7}, {}}};
@@ -107,8 +107,8 @@ TEST_CASE("scene as JSON: numbers keep all their digits and every object has a l
   CHECK(j["objects"][2]["radius"].get<double>() == 1e-300);
   CHECK(j["objects"][3]["radius"].get<double>() == 123456789.123456789);
   CHECK(j["objects"][4]["radius"].get<double>() == std::numeric_limits<double>::max());
-  CHECK(text.find("\n    {\"shape\": \"sphere\", \"radius\": 0.1, \"at\": [0, 0, 0], \"file\": \"test.rtl\", \"line\": 1},\n") !=
-        std::string::npos);
+  CHECK(text.find("\n    {\"shape\": \"sphere\", \"radius\": 0.1, \"at\": [0, 0, 0], \"file\": \"test.rtl\", \"line\": "
+                  "1},\n") != std::string::npos);
   CHECK(text == text_of(b.scene));
 }
 
@@ -123,7 +123,9 @@ TEST_CASE("scene hash: any change of the description changes it, source lines do
   CHECK(before.size() == 16);
   CHECK(before == tools::scene_hash(everything().scene));
   const std::vector<std::function<void(scene::Scene&)>> changes{
-      [](scene::Scene& s) { s.size = {64, 49}; },
+      [](scene::Scene& s) {
+        s.size = {64, 49};
+      },
       [](scene::Scene& s) { s.camera.fov = 45.000000000000007; },
       [](scene::Scene& s) { s.objects[0].at.z += 1e-16; },
       [](scene::Scene& s) { s.objects[0].material = scene::no_material; },

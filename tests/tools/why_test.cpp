@@ -302,9 +302,8 @@ TEST_CASE("why: it ends in a plain sentence") {
   // Light that is there and does not get by: blue through a red pane, bent or not, and a weak mirror of a bright
   // background.
   const std::string blue = "ambient: 1\nplane { z: -5, material: #00f }\n";
-  CHECK(
-      sentence_of(blue + "box { material: material { color: #f00, refract: 1 } }") ==
-      "black because it is seen through box (line 3), and little of the light of plane (line 2) gets by");
+  CHECK(sentence_of(blue + "box { material: material { color: #f00, refract: 1 } }") ==
+        "black because it is seen through box (line 3), and little of the light of plane (line 2) gets by");
   CHECK(sentence_of(blue + "box { material: material { color: #f00, refract: 1, ior: 1.5 } }") ==
         "black because it is seen through box (line 3), but little of the light from there gets by");
   CHECK(

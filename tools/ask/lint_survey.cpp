@@ -210,9 +210,8 @@ Survey survey_of(const LintContext& context, std::uint64_t rays) {
   const CameraRays& camera = context.tracer.camera();
   const Surveyor surveyor(context, context.tracer.scene().around(camera.ray(0, 0).origin), camera.has_one_eye());
   std::vector<Survey> parts(static_cast<std::size_t>(rows));
-  for_each_row(context.options, rows, [&](int row, int) {
-    surveyor.trace_row(row, columns, rows, parts[static_cast<std::size_t>(row)]);
-  });
+  for_each_row(context.options, rows,
+               [&](int row, int) { surveyor.trace_row(row, columns, rows, parts[static_cast<std::size_t>(row)]); });
   Survey all;
   for (const Survey& part : parts) merge(all, part);
   return all;

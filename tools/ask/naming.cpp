@@ -5,7 +5,9 @@
 namespace rt::tools::ask {
 namespace {
 
-std::string name_at(const scene::Scene& scene, scene::NameId id) { return scene.names[static_cast<std::size_t>(id)]; }
+std::string name_at(const scene::Scene& scene, scene::NameId id) {
+  return scene.names[static_cast<std::size_t>(id)];
+}
 
 std::string with_place(const std::string& name, const std::string& place) {
   return place.empty() ? name : fmt::format("{} ({})", name, place);
@@ -41,7 +43,8 @@ std::string name_of(const scene::Scene& scene, const scene::Object& object) {
   if (object.name != scene::no_name) return fmt::format("`{}`", name_at(scene, object.name));
   if (object.shape.kind == scene::kind_of<scene::Combination>) {
     static constexpr std::string_view operations[] = {"union", "intersection", "difference"};
-    return std::string(operations[static_cast<std::size_t>(scene.shapes.get<scene::Combination>(object.shape).operation)]);
+    return std::string(
+        operations[static_cast<std::size_t>(scene.shapes.get<scene::Combination>(object.shape).operation)]);
   }
   return scene.shapes.visit(object.shape, [](const auto& shape) { return std::string(shape.noun); });
 }

@@ -14,8 +14,8 @@ namespace rt::tools::ask {
 /// The path must be one of this scene's (`HitReport::path`).
 std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-/// The object that answers for the whole of what was hit: the outermost that has a name, else the outermost combination,
-/// else the shape itself. None for an empty path.
+/// The object that answers for the whole of what was hit: the outermost that has a name, else the outermost
+/// combination, else the shape itself. None for an empty path.
 const scene::Object* spokesman(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
 /// Its name, or its noun where it has none; of a combination its operation.

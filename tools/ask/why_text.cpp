@@ -161,7 +161,8 @@ void write_sum(const Answer& answer, Page& page) {
 
 std::string headline(const Answer& answer) {
   const Color seen = answer.tree->radiance;
-  return fmt::format("{} of {}: {} linear, shown as {}", answer.ray.name, std::filesystem::path(answer.file).filename().string(), color_text(seen), shown(seen));
+  return fmt::format("{} of {}: {} linear, shown as {}", answer.ray.name,
+                     std::filesystem::path(answer.file).filename().string(), color_text(seen), shown(seen));
 }
 
 } // namespace

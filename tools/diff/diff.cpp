@@ -11,7 +11,9 @@
 namespace rt::tools {
 namespace {
 
-std::array<double, 3> channels(const Rgb32& c) { return {c.r, c.g, c.b}; }
+std::array<double, 3> channels(const Rgb32& c) {
+  return {c.r, c.g, c.b};
+}
 
 // What a screen is sent: sRGB from 0 to 1. What is no number is shown as black.
 std::array<double, 3> shown(const Rgb32& c) {
@@ -31,7 +33,9 @@ double largest(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 }
 
 // Luma by ITU-R BT.601, as structural similarity is usually taken.
-double luma(const std::array<double, 3>& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
+double luma(const std::array<double, 3>& c) {
+  return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
+}
 
 double angle(const Xyz32& a, const Xyz32& b) {
   const Vec3 u{a.x, a.y, a.z}, v{b.x, b.y, b.z};
@@ -91,7 +95,8 @@ Grid windowed(const Grid& in, const std::vector<double>& across, const std::vect
 
 } // namespace
 
-double structural_similarity(const std::vector<double>& a, const std::vector<double>& b, int width, int height, double range) {
+double structural_similarity(const std::vector<double>& a, const std::vector<double>& b, int width, int height,
+                             double range) {
   constexpr int window = 11;
   const std::vector<double> across = gaussian(std::min(window, width)), down = gaussian(std::min(window, height));
   const auto mean_of = [&](auto&& product) {

@@ -35,10 +35,12 @@ struct Difference {
 /// Both must have the same size, at least one pixel.
 Difference difference(const Film& a, const Film& b);
 
-/// Mean structural similarity of two grey pictures with values from 0 to `range`, row by row: Z. Wang, A. C. Bovik, H. R.
-/// Sheikh, E. P. Simoncelli, "Image Quality Assessment: From Error Visibility to Structural Similarity", IEEE Transactions
-/// on Image Processing 13 (4), 2004. A Gaussian window of 11 × 11 with a standard deviation of 1.5, K₁ = 0.01, K₂ = 0.03,
-/// over all places where the window lies within the picture; in a smaller picture the window is as large as fits.
-double structural_similarity(const std::vector<double>& a, const std::vector<double>& b, int width, int height, double range = 1);
+/// Mean structural similarity of two grey pictures with values from 0 to `range`, row by row: Z. Wang, A. C. Bovik, H.
+/// R. Sheikh, E. P. Simoncelli, "Image Quality Assessment: From Error Visibility to Structural Similarity", IEEE
+/// Transactions on Image Processing 13 (4), 2004. A Gaussian window of 11 × 11 with a standard deviation of 1.5, K₁ =
+/// 0.01, K₂ = 0.03, over all places where the window lies within the picture; in a smaller picture the window is as
+/// large as fits.
+double structural_similarity(const std::vector<double>& a, const std::vector<double>& b, int width, int height,
+                             double range = 1);
 
 } // namespace rt::tools

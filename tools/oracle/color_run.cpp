@@ -19,7 +19,8 @@ std::string complaint(const povray::Comparison& c, const povray::Gates& gates) {
   add(c.ids_unexplained > 0, fmt::format("{} pixels with another object", c.ids_unexplained));
   add(c.depth_max > gates.depth, fmt::format("distance {:.3g}", c.depth_max));
   add(c.normal_max > gates.normals, fmt::format("normal {:.3g}", c.normal_max));
-  add(c.color_unexplained > 0, fmt::format("{} pixels with another colour, by up to {:.3g}", c.color_unexplained, c.color_max));
+  add(c.color_unexplained > 0,
+      fmt::format("{} pixels with another colour, by up to {:.3g}", c.color_unexplained, c.color_max));
   return text;
 }
 
@@ -128,7 +129,8 @@ scene::Scene load(const std::string& text) {
   if (loaded.scene) return std::move(*loaded.scene);
   for (const lang::Diagnostic& d : loaded.diagnostics)
     if (d.severity == lang::Severity::error)
-      throw std::runtime_error(fmt::format("the scene does not load: line {}: {}", loaded.sources.position(d.span.file, d.span.begin).line, d.message));
+      throw std::runtime_error(fmt::format("the scene does not load: line {}: {}",
+                                           loaded.sources.position(d.span.file, d.span.begin).line, d.message));
   throw std::runtime_error("the scene does not load");
 }
 
@@ -138,6 +140,8 @@ std::optional<std::string> refusal(const scene::Scene& scene) {
   return std::move(inexact.front().message);
 }
 
-RunResult run_colors(const RunSettings& settings) { return ColorRun(settings).run(); }
+RunResult run_colors(const RunSettings& settings) {
+  return ColorRun(settings).run();
+}
 
 } // namespace rt::tools::oracle

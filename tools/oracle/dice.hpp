@@ -7,10 +7,10 @@
 
 namespace rt::tools::oracle {
 
-/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
-/// Generators, 2014). So that scenes are the same with every compiler, no two are drawn in the arguments of one call or
-/// on both sides of an operator: there g++ drew the last first, and what is drawn backwards now is so that the scenes of
-/// the long runs keep their numbers.
+/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom
+/// Number Generators, 2014). So that scenes are the same with every compiler, no two are drawn in the arguments of one
+/// call or on both sides of an operator: there g++ drew the last first, and what is drawn backwards now is so that the
+/// scenes of the long runs keep their numbers.
 class Dice {
 public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}

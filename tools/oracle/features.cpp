@@ -10,18 +10,53 @@ namespace {
 
 using namespace rt::scene;
 
-bool same(const FieldValue& a, const FieldValue& b) { return a == b; }
+bool same(const FieldValue& a, const FieldValue& b) {
+  return a == b;
+}
 
 // What is not a property: found by looking.
-const std::vector<std::string> structures{
-    "group", "union", "intersection", "difference", "solid in a solid", "half-space in a solid",
-    "shared group", "group in a group", "scale", "scale, one factor", "mirrored by scale", "rotate", "step scale", "step rotate",
-    "step rotate about an axis", "step move", "step shear", "step mirror", "step matrix", "step about a point", "material inherited",
-    "material of a solid's part", "pattern color", "pattern ambient", "pattern diffuse", "pattern emission", "pattern in a pattern",
-    "pattern placed", "transparent", "transparent solid", "two transparent", "no shadow", "name", "light in a group",
-    "light with a chain", "fade linear", "fade quadratic", "fade inverse_square", "several lights"};
+const std::vector<std::string> structures{"group",
+                                          "union",
+                                          "intersection",
+                                          "difference",
+                                          "solid in a solid",
+                                          "half-space in a solid",
+                                          "shared group",
+                                          "group in a group",
+                                          "scale",
+                                          "scale, one factor",
+                                          "mirrored by scale",
+                                          "rotate",
+                                          "step scale",
+                                          "step rotate",
+                                          "step rotate about an axis",
+                                          "step move",
+                                          "step shear",
+                                          "step mirror",
+                                          "step matrix",
+                                          "step about a point",
+                                          "material inherited",
+                                          "material of a solid's part",
+                                          "pattern color",
+                                          "pattern ambient",
+                                          "pattern diffuse",
+                                          "pattern emission",
+                                          "pattern in a pattern",
+                                          "pattern placed",
+                                          "transparent",
+                                          "transparent solid",
+                                          "two transparent",
+                                          "no shadow",
+                                          "name",
+                                          "light in a group",
+                                          "light with a chain",
+                                          "fade linear",
+                                          "fade quadratic",
+                                          "fade inverse_square",
+                                          "several lights"};
 
-template <class T> void add_field_names(std::vector<std::string>& names, const std::string& noun) {
+template <class T>
+void add_field_names(std::vector<std::string>& names, const std::string& noun) {
   for (const Field& f : fields(static_cast<const T*>(nullptr))) names.push_back(fmt::format("{}.{}", noun, f.name));
 }
 
@@ -42,7 +77,8 @@ public:
   }
 
 private:
-  template <class T> void written(std::span<const Field> table, const void* owner, const T& plain, const std::string& noun) {
+  template <class T>
+  void written(std::span<const Field> table, const void* owner, const T& plain, const std::string& noun) {
     for (const Field& f : table) {
       const auto value = f.get(owner), usual = f.get(&plain);
       if (value && (!usual || !same(*value, *usual))) found_.insert(fmt::format("{}.{}", noun, f.name));
@@ -53,13 +89,15 @@ private:
     constexpr const char* nouns[] = {"light", "sun", "spot"};
     const std::string noun = nouns[light.source.index()];
     found_.insert(noun);
-    std::visit([&]<class L>(const L& source) {
-      written(fields(&source), &source, L{}, noun);
-      if constexpr (!std::is_same_v<L, SunLight>) {
-        constexpr const char* laws[] = {"", "fade linear", "fade quadratic", "fade inverse_square"};
-        if (source.fade.law != Fade::Law::none) found_.insert(laws[static_cast<int>(source.fade.law)]);
-      }
-    }, light.source);
+    std::visit(
+        [&]<class L>(const L& source) {
+          written(fields(&source), &source, L{}, noun);
+          if constexpr (!std::is_same_v<L, SunLight>) {
+            constexpr const char* laws[] = {"", "fade linear", "fade quadratic", "fade inverse_square"};
+            if (source.fade.law != Fade::Law::none) found_.insert(laws[static_cast<int>(source.fade.law)]);
+          }
+        },
+        light.source);
     if (!light.enclosing.empty()) found_.insert("light in a group");
     if (!light.chain.empty()) found_.insert("light with a chain");
   }
@@ -73,7 +111,8 @@ private:
     if (o.material != no_material) {
       material(scene_.materials[static_cast<std::size_t>(o.material)]);
       if (in_solid) found_.insert("material of a solid's part");
-    } else if (inherited != no_material) found_.insert("material inherited");
+    } else if (inherited != no_material)
+      found_.insert("material inherited");
     scene_.shapes.visit(o.shape, [&](const auto& shape) { this->shape(shape, o, id, depth, in_solid); });
   }
 
@@ -92,7 +131,8 @@ private:
     for (const Object& operand : c.operands) object(operand, id, depth + 1, true);
   }
 
-  template <class S> void shape(const S& s, const Object&, MaterialId id, int, bool in_solid) {
+  template <class S>
+  void shape(const S& s, const Object&, MaterialId id, int, bool in_solid) {
     found_.insert(std::string(S::noun));
     written(fields(&s), &s, S{}, std::string(S::noun));
     if (std::is_same_v<S, Plane> && in_solid) found_.insert("half-space in a solid");
@@ -101,12 +141,16 @@ private:
     ++transparent_;
   }
 
-  bool is_clear(MaterialId id) const { return id != no_material && scene_.materials[static_cast<std::size_t>(id)].refract > 0; }
+  bool is_clear(MaterialId id) const {
+    return id != no_material && scene_.materials[static_cast<std::size_t>(id)].refract > 0;
+  }
 
   void material(const Material& m) {
     written(material_fields(), &m, Material{}, "material");
-    const std::pair<const Paint&, const char*> paints[] = {
-        {m.color, "pattern color"}, {m.ambient, "pattern ambient"}, {m.diffuse, "pattern diffuse"}, {m.emission, "pattern emission"}};
+    const std::pair<const Paint&, const char*> paints[] = {{m.color, "pattern color"},
+                                                           {m.ambient, "pattern ambient"},
+                                                           {m.diffuse, "pattern diffuse"},
+                                                           {m.emission, "pattern emission"}};
     for (const auto& [paint, name] : paints)
       if (const PatternId* id = std::get_if<PatternId>(&paint)) {
         found_.insert(name);
@@ -127,16 +171,21 @@ private:
   }
 
   void placement(const Placement& p) {
-    if (p.scale != Vec3{1, 1, 1}) found_.insert(p.scale.x == p.scale.y && p.scale.y == p.scale.z ? "scale, one factor" : "scale");
+    if (p.scale != Vec3{1, 1, 1})
+      found_.insert(p.scale.x == p.scale.y && p.scale.y == p.scale.z ? "scale, one factor" : "scale");
     if (p.scale.x * p.scale.y * p.scale.z < 0) found_.insert("mirrored by scale");
     if (p.rotate != Vec3{}) found_.insert("rotate");
-    constexpr const char* steps[] = {"step scale", "step rotate", "step rotate about an axis", "step move", "step shear", "step mirror", "step matrix"};
+    constexpr const char* steps[] = {"step scale", "step rotate", "step rotate about an axis",
+                                     "step move",  "step shear",  "step mirror",
+                                     "step matrix"};
     for (const Step& step : p.chain) {
       found_.insert(steps[step.index()]);
-      std::visit([&](const auto& s) {
-        if constexpr (requires { s.about; })
-          if (s.about != Vec3{}) found_.insert("step about a point");
-      }, step);
+      std::visit(
+          [&](const auto& s) {
+            if constexpr (requires { s.about; })
+              if (s.about != Vec3{}) found_.insert("step about a point");
+          },
+          step);
     }
   }
 
@@ -164,8 +213,7 @@ std::vector<std::string> feature_names() {
   add_field_names<SpotLight>(names, "spot");
   add_field_names<Camera>(names, "camera");
   add_field_names<Scene>(names, "scene");
-  for (const std::string& structure : structures)
-    names.push_back(structure);
+  for (const std::string& structure : structures) names.push_back(structure);
   return names;
 }
 
@@ -192,7 +240,8 @@ void Coverage::add(const Coverage& other) {
 std::vector<std::string> Coverage::missing(const std::vector<std::string>& without) const {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const bool may_miss = std::any_of(without.begin(), without.end(), [&](const std::string& p) { return names_[i].rfind(p, 0) == 0; });
+    const bool may_miss =
+        std::any_of(without.begin(), without.end(), [&](const std::string& p) { return names_[i].rfind(p, 0) == 0; });
     if (count(i) == 0 && !may_miss) result.push_back(names_[i]);
   }
   return result;

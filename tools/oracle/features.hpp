@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Which parts of the language scenes use, read off their descriptions: not what a generator meant to write, but what came
-/// out of it.
+/// Which parts of the language scenes use, read off their descriptions: not what a generator meant to write, but what
+/// came out of it.
 namespace rt::tools::oracle {
 
 /// The names of all features, in a fixed order. Every property of every description type is one (where it has not its

@@ -8,7 +8,9 @@
 namespace rt::tools::oracle {
 namespace {
 
-Block block(std::string head) { return {std::move(head), {}, {}, {}, {}, false}; }
+Block block(std::string head) {
+  return {std::move(head), {}, {}, {}, {}, false};
+}
 
 std::string rgb(Dice& dice, const char* function) {
   const double blue = dice.unit(), green = dice.unit(), red = dice.unit();
@@ -22,10 +24,14 @@ std::string hsv(Dice& dice) {
 
 std::string color(Dice& dice) {
   switch (dice.below(5)) {
-  case 0: return fmt::format("#{:06x}", dice.below(0x1000000));
-  case 1: return hsv(dice);
-  case 2: return rgb(dice, "rgb");
-  case 3: return text(dice.between(0.2, 1)); // a number is grey
+  case 0:
+    return fmt::format("#{:06x}", dice.below(0x1000000));
+  case 1:
+    return hsv(dice);
+  case 2:
+    return rgb(dice, "rgb");
+  case 3:
+    return text(dice.between(0.2, 1)); // a number is grey
   default: {
     constexpr const char* names[] = {"peru", "teal", "gold_", "orchid", "white", "tomato", "khaki", "skyblue"};
     const std::string name = names[dice.below(8)];
@@ -37,8 +43,10 @@ std::string color(Dice& dice) {
 Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& value) {
   Block b = block("checker");
   for (const char* part : {"a", "b"}) {
-    if (depth < 2 && dice.chance(0.15)) b.set(part, checker(dice, depth + 1, value));
-    else b.set(part, value(dice));
+    if (depth < 2 && dice.chance(0.15))
+      b.set(part, checker(dice, depth + 1, value));
+    else
+      b.set(part, value(dice));
   }
   if (dice.chance(0.7)) b.set("scale", dice.chance(0.7) ? text(dice.length(0.2, 0.8)) : text(dice.point(0.2, 0.9)));
   if (dice.chance(0.4)) b.set("rotate", text(dice.vector(-90, 90)));
@@ -48,18 +56,24 @@ Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& va
 
 // POV-Ray keeps an index of refraction in 32 bits: multiples of 1/64 are exact there, and others show that the check
 // knows why they differ.
-std::string ior(Dice& dice) { return dice.chance(0.9) ? text((64 + dice.below(90)) / 64.0) : text(dice.between(1, 2.4)); }
+std::string ior(Dice& dice) {
+  return dice.chance(0.9) ? text((64 + dice.below(90)) / 64.0) : text(dice.between(1, 2.4));
+}
 
 void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
   const auto number = [&](Dice& d) { return text(d.between(low, high)); };
-  if (dice.chance(0.2)) material.set(name, checker(dice, 0, number));
-  else material.set(name, number(dice));
+  if (dice.chance(0.2))
+    material.set(name, checker(dice, 0, number));
+  else
+    material.set(name, number(dice));
 }
 
 Block opaque(Dice& dice) {
   Block m = block("material");
-  if (dice.chance(0.25)) m.set("color", checker(dice, 0, color));
-  else m.set("color", color(dice));
+  if (dice.chance(0.25))
+    m.set("color", checker(dice, 0, color));
+  else
+    m.set("color", color(dice));
   if (dice.chance(0.25)) set_number(dice, m, "ambient", 0, 1.5);
   if (dice.chance(0.4)) set_number(dice, m, "diffuse", 0.2, 1);
   if (dice.chance(0.15)) set_number(dice, m, "emission", 0.1, 0.6);
@@ -82,8 +96,11 @@ void make_clear(Dice& dice, Block& m, const std::string& index) {
 // At a place that fits into the picture, where the eye sees something of it.
 Block floor(Dice& dice) {
   Block b = block("plane");
-  if (dice.chance(0.6)) b.set("y", text(dice.length(-1.6, -1.1)));
-  else b.set("normal", text(Vec3{dice.between(-0.3, 0.3), 1, dice.between(-0.2, 0.3)})).set("offset", text(dice.length(-2.2, -1.6)));
+  if (dice.chance(0.6))
+    b.set("y", text(dice.length(-1.6, -1.1)));
+  else
+    b.set("normal", text(Vec3{dice.between(-0.3, 0.3), 1, dice.between(-0.2, 0.3)}))
+        .set("offset", text(dice.length(-2.2, -1.6)));
   Block m = opaque(dice);
   // Cells far away hang on the last digits of a ray that was mirrored before.
   std::erase_if(m.props, [](const Prop& p) { return !p.block.empty(); });
@@ -92,8 +109,9 @@ Block floor(Dice& dice) {
 
 // A tray: what a patterned floor would show, but finite.
 Block tray(Dice& dice) {
-  Block b = dice.chance(0.5) ? block("disc").set("radius", text(dice.length(3, 5)))
-                             : block("box").set("size", text(Vec3{dice.between(5, 9), 0.2, dice.between(5, 9)} * dice.length_unit));
+  Block b = dice.chance(0.5)
+                ? block("disc").set("radius", text(dice.length(3, 5)))
+                : block("box").set("size", text(Vec3{dice.between(5, 9), 0.2, dice.between(5, 9)} * dice.length_unit));
   return b.set("at", text(Vec3{0, dice.length(-1.6, -1.2), 0})).set("material", opaque(dice));
 }
 
@@ -127,7 +145,8 @@ void add_row(Dice& dice, Block& file) {
   definition.things.push_back(block("disc").set("radius", "1.6 * r").set("normal", text(dice.direction())));
   Block loop = block(fmt::format("for i in 0..<{}", 2 + dice.below(3)));
   loop.is_definition = true;
-  Block bead = block("bead").set("r", fmt::format("{} + {} * i", text(dice.length(0.15, 0.3)), text(0.05 * dice.length_unit)));
+  Block bead =
+      block("bead").set("r", fmt::format("{} + {} * i", text(dice.length(0.15, 0.3)), text(0.05 * dice.length_unit)));
   const Vec3 way = dice.point(0.4, 1), first = dice.point(-2, 0);
   bead.set("at", fmt::format("{} + i * {}", text(first), text(way)));
   add_material(dice, bead, false);
@@ -179,14 +198,17 @@ void add_material(Dice& dice, Block& thing, bool is_in_solid) {
   } else if (kind < 0.16) {
     thing.set("material", checker(dice, 0, color));
   } else if (kind < 0.24 && !is_in_solid) {
-    constexpr const char* names[] = {"glass", "water", "diamond", "mirror", "gold", "silver", "copper", "chrome", "rubber", "matte"};
+    constexpr const char* names[] = {"glass",  "water",  "diamond", "mirror", "gold",
+                                     "silver", "copper", "chrome",  "rubber", "matte"};
     Block m = block(names[dice.below(10)]);
     if (dice.chance(0.5)) m.set("color", color(dice));
     thing.set("material", std::move(m));
   } else {
     Block m = opaque(dice);
-    if (!is_in_solid && dice.chance(0.35)) make_clear(dice, m, dice.chance(0.9) ? ior(dice) : "");
-    else if (dice.chance(0.1)) m.set("fresnel", "true").set("ior", ior(dice));
+    if (!is_in_solid && dice.chance(0.35))
+      make_clear(dice, m, dice.chance(0.9) ? ior(dice) : "");
+    else if (dice.chance(0.1))
+      m.set("fresnel", "true").set("ior", ior(dice));
     thing.set("material", std::move(m));
   }
 }
@@ -199,8 +221,10 @@ std::vector<Block> random_lights(Dice& dice) {
     const int kind = dice.below(3);
     Block light = block(kind == 0 ? "light" : kind == 1 ? "sun" : "spot");
     double intensity = dice.between(0.3, 0.9);
-    if (kind == 1) light.set("direction", text(at * -dice.between(0.1, 1)));
-    else light.set("at", text(at));
+    if (kind == 1)
+      light.set("direction", text(at * -dice.between(0.1, 1)));
+    else
+      light.set("at", text(at));
     if (kind == 2) {
       const double angle = dice.between(10, 60);
       light.set("look_at", text(dice.point(-1, 1))).set("angle", text(angle));
@@ -209,8 +233,10 @@ std::vector<Block> random_lights(Dice& dice) {
     if (kind != 1 && dice.chance(0.5)) {
       const double d = dice.length(2, 8);
       constexpr const char* laws[] = {"linear", "quadratic"};
-      if (dice.chance(0.3)) light.set("fade", "inverse_square"), intensity *= 30 * dice.length_unit * dice.length_unit;
-      else light.set("fade", fmt::format("{}({})", laws[dice.below(2)], text(d))), intensity *= 2;
+      if (dice.chance(0.3))
+        light.set("fade", "inverse_square"), intensity *= 30 * dice.length_unit * dice.length_unit;
+      else
+        light.set("fade", fmt::format("{}({})", laws[dice.below(2)], text(d))), intensity *= 2;
     }
     light.set("intensity", text(intensity));
     if (dice.chance(0.5)) light.set("color", color(dice));
@@ -222,7 +248,8 @@ std::vector<Block> random_lights(Dice& dice) {
       if (dice.chance(0.5)) around.set("scale", text(dice.vector(0.9, 1.2)));
       around.things.push_back(std::move(light));
       lights.push_back(std::move(around));
-    } else lights.push_back(std::move(light));
+    } else
+      lights.push_back(std::move(light));
   }
   return lights;
 }
@@ -231,19 +258,24 @@ Block random_camera(Dice& dice) {
   Block camera = block("camera");
   const bool is_orthographic = dice.chance(0.25);
   // The whole of an orthographic view starts above the floor.
-  const Vec3 way{dice.between(-1, 1), is_orthographic ? dice.between(0.6, 1) : dice.between(-0.05, 0.8), dice.between(0.3, 1)};
+  const Vec3 way{dice.between(-1, 1), is_orthographic ? dice.between(0.6, 1) : dice.between(-0.05, 0.8),
+                 dice.between(0.3, 1)};
   camera.set("at", text(normalize(way) * dice.length_unit * (is_orthographic ? 9 : dice.between(5, 9))));
   camera.set("look_at", text(dice.point(-0.4, 0.4)));
   if (dice.chance(0.3)) {
     const double size = dice.between(0.5, 2);
     camera.set("up", text(Vec3{dice.between(-0.6, 0.6), 1, dice.between(-0.3, 0.3)} * size));
   }
-  if (is_orthographic) camera.set("projection", "orthographic").set("width", text(dice.length(3, 5)));
-  else if (dice.chance(0.8)) camera.set("fov", text(dice.between(25, 75)));
+  if (is_orthographic)
+    camera.set("projection", "orthographic").set("width", text(dice.length(3, 5)));
+  else if (dice.chance(0.8))
+    camera.set("fov", text(dice.between(25, 75)));
   return camera;
 }
 
-double random_length_unit(Dice& dice) { return std::pow(100, dice.unit()); }
+double random_length_unit(Dice& dice) {
+  return std::pow(100, dice.unit());
+}
 
 Block random_scene(Dice& dice, Mode mode) {
   Block file;
@@ -252,19 +284,23 @@ Block random_scene(Dice& dice, Mode mode) {
   if (is_color) add_settings(dice, file);
   file.things.push_back(random_camera(dice));
   const auto& view = file.things.back().props;
-  const bool is_orthographic = std::any_of(view.begin(), view.end(), [](const Prop& p) { return p.name == "projection"; });
+  const bool is_orthographic =
+      std::any_of(view.begin(), view.end(), [](const Prop& p) { return p.name == "projection"; });
   if (is_color)
     for (Block& light : random_lights(dice)) file.things.push_back(std::move(light));
   // Rays of an orthographic view start all over the place: for POV-Ray some would start inside a slanted floor.
-  if (dice.chance(0.5) && !is_orthographic) file.things.push_back(floor(dice));
-  else if (dice.chance(0.6)) file.things.push_back(tray(dice));
+  if (dice.chance(0.5) && !is_orthographic)
+    file.things.push_back(floor(dice));
+  else if (dice.chance(0.6))
+    file.things.push_back(tray(dice));
   const int count = is_color ? 2 + dice.below(4) : 1 + dice.below(4);
   for (int i = 0; i < count; ++i) {
     Block thing = random_shape(dice, 0, false);
     place(dice, thing, 1.8);
     if (is_color && dice.chance(0.9)) add_material(dice, thing, false);
     // A part of a solid with a surface of its own.
-    if (is_color && thing.head != "group" && !thing.things.empty() && dice.chance(0.5)) add_material(dice, thing.things.back(), true);
+    if (is_color && thing.head != "group" && !thing.things.empty() && dice.chance(0.5))
+      add_material(dice, thing.things.back(), true);
     if (is_color && thing.head == "group" && dice.chance(0.6)) add_material(dice, thing.things.front(), false);
     add_flags(dice, thing);
     file.things.push_back(std::move(thing));
@@ -277,7 +313,10 @@ Block random_scene(Dice& dice, Mode mode) {
     Block m = opaque(dice);
     std::erase_if(m.props, [](const Prop& p) { return p.name == "diffuse" || p.name == "ambient"; });
     make_clear(dice, m, ior(dice));
-    file.things.push_back(block("sphere").set("radius", text(dice.length(0.8, 2))).set("at", file.things.front().props.front().text).set("material", std::move(m)));
+    file.things.push_back(block("sphere")
+                              .set("radius", text(dice.length(0.8, 2)))
+                              .set("at", file.things.front().props.front().text)
+                              .set("material", std::move(m)));
   }
   return file;
 }

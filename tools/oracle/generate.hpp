@@ -11,9 +11,9 @@ enum class Mode : std::uint8_t {
   geometry, ///< shapes and transforms alone, more of them
 };
 
-/// How long a scene's things are, from 1 to 100, evenly spread by order of magnitude: one is modelled in metres, the next
-/// in centimetres. POV-Ray's limits are lengths of 1e-4 and 1e-3 whatever the scene: small scenes meet them most often.
-/// `random_scene` begins with it.
+/// How long a scene's things are, from 1 to 100, evenly spread by order of magnitude: one is modelled in metres, the
+/// next in centimetres. POV-Ray's limits are lengths of 1e-4 and 1e-3 whatever the scene: small scenes meet them most
+/// often. `random_scene` begins with it.
 double random_length_unit(Dice& dice);
 Block random_scene(Dice& dice, Mode mode);
 

@@ -14,16 +14,21 @@ std::string list(const std::vector<Vec3>& points) {
   return "[" + all + "]";
 }
 
-Block block(const char* head) { return {head, {}, {}, {}, {}, false}; }
+Block block(const char* head) {
+  return {head, {}, {}, {}, {}, false};
+}
 
-Block sphere(Dice& dice) { return block("sphere").set("radius", text(dice.length(0.3, 1))); }
+Block sphere(Dice& dice) {
+  return block("sphere").set("radius", text(dice.length(0.3, 1)));
+}
 
 Block box(Dice& dice) {
   Block b = block("box");
   if (dice.chance(0.3)) {
     const Vec3 p = dice.point(-0.9, -0.1), q = dice.point(0.1, 0.9);
     // Any two opposite corners will do.
-    return dice.chance(0.5) ? b.set("from", text(p)).set("to", text(q)) : b.set("from", text({q.x, p.y, q.z})).set("to", text({p.x, q.y, p.z}));
+    return dice.chance(0.5) ? b.set("from", text(p)).set("to", text(q))
+                            : b.set("from", text({q.x, p.y, q.z})).set("to", text({p.x, q.y, p.z}));
   }
   return dice.chance(0.5) ? b.set("size", text(dice.length(0.5, 1.4))) : b.set("size", text(dice.point(0.3, 1.5)));
 }
@@ -32,13 +37,16 @@ Block cylinder(Dice& dice, bool is_solid) {
   Block b = block("cylinder");
   b.set("radius", text(dice.length(0.15, 0.6)));
   const bool is_infinite = dice.chance(0.12);
-  if (dice.chance(0.5)) b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
+  if (dice.chance(0.5))
+    b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
   else {
     if (dice.chance(0.7)) b.set("axis", text(dice.arrow(0.5, 2)));
     if (!is_infinite) b.set("height", text(dice.length(0.4, 2)));
   }
-  if (is_infinite) b.set("infinite", "true");
-  else if (!is_solid && dice.chance(0.35)) b.set("open", "true");
+  if (is_infinite)
+    b.set("infinite", "true");
+  else if (!is_solid && dice.chance(0.35))
+    b.set("open", "true");
   return b;
 }
 
@@ -46,10 +54,14 @@ Block cone(Dice& dice, bool is_solid) {
   Block b = block("cone");
   const double radius = dice.length(0.2, 0.7);
   b.set("radius", dice.chance(0.1) ? "0" : text(radius));
-  if (b.props[0].text == "0") b.set("top_radius", text(dice.length(0.2, 0.7)));
-  else if (dice.chance(0.5)) b.set("top_radius", dice.chance(0.2) ? b.props[0].text : text(dice.length(0.05, 0.9)));
-  if (dice.chance(0.6)) b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
-  else b.set("to", text(Vec3{0, dice.length_unit, 0}));
+  if (b.props[0].text == "0")
+    b.set("top_radius", text(dice.length(0.2, 0.7)));
+  else if (dice.chance(0.5))
+    b.set("top_radius", dice.chance(0.2) ? b.props[0].text : text(dice.length(0.05, 0.9)));
+  if (dice.chance(0.6))
+    b.set("from", text(dice.point(-0.9, -0.1))).set("to", text(dice.point(0.1, 0.9)));
+  else
+    b.set("to", text(Vec3{0, dice.length_unit, 0}));
   if (!is_solid && dice.chance(0.35)) b.set("open", "true");
   return b;
 }
@@ -105,42 +117,62 @@ Block quad(Dice& dice) {
     const Vec3 u = dice.direction();
     const double slant = dice.between(-0.5, 0.5);
     const Vec3 v = normalize(cross(u, dice.direction()) + u * slant);
-    return b.set("corner", text(dice.point(-0.8, 0.2))).set("edge_u", text(u * dice.length_unit)).set("edge_v", text(v * dice.length(0.5, 1.2)));
+    return b.set("corner", text(dice.point(-0.8, 0.2)))
+        .set("edge_u", text(u * dice.length_unit))
+        .set("edge_v", text(v * dice.length(0.5, 1.2)));
   }
   return b.set("points", list(outline(dice, 4, 0.7, 0.9)));
 }
 
-Block polygon(Dice& dice) { return block("polygon").set("points", list(outline(dice, 3 + dice.below(6), 0.3, 1))); }
+Block polygon(Dice& dice) {
+  return block("polygon").set("points", list(outline(dice, 3 + dice.below(6), 0.3, 1)));
+}
 
 Block half_space(Dice& dice) {
   Block b = block("plane");
   switch (dice.below(4)) {
-  case 0: return b.set("x", text(dice.length(-0.5, 0.5)));
-  case 1: return b.set("y", text(dice.length(-0.5, 0.5)));
-  case 2: return b.set("z", text(dice.length(-0.5, 0.5)));
-  default: return b.set("normal", text(dice.arrow(0.5, 2))).set("offset", text(dice.length(-0.4, 0.4)));
+  case 0:
+    return b.set("x", text(dice.length(-0.5, 0.5)));
+  case 1:
+    return b.set("y", text(dice.length(-0.5, 0.5)));
+  case 2:
+    return b.set("z", text(dice.length(-0.5, 0.5)));
+  default:
+    return b.set("normal", text(dice.arrow(0.5, 2))).set("offset", text(dice.length(-0.4, 0.4)));
   }
 }
 
 Block solid_leaf(Dice& dice) {
   switch (dice.below(4)) {
-  case 0: return sphere(dice);
-  case 1: return box(dice);
-  case 2: return cylinder(dice, true);
-  default: return cone(dice, true);
+  case 0:
+    return sphere(dice);
+  case 1:
+    return box(dice);
+  case 2:
+    return cylinder(dice, true);
+  default:
+    return cone(dice, true);
   }
 }
 
 Block leaf(Dice& dice) {
   switch (dice.below(9)) {
-  case 0: return disc(dice);
-  case 1: return triangle(dice);
-  case 2: return quad(dice);
-  case 3: return polygon(dice);
-  case 4: return cylinder(dice, false);
-  case 5: return cone(dice, false);
-  case 6: return box(dice);
-  default: return sphere(dice);
+  case 0:
+    return disc(dice);
+  case 1:
+    return triangle(dice);
+  case 2:
+    return quad(dice);
+  case 3:
+    return polygon(dice);
+  case 4:
+    return cylinder(dice, false);
+  case 5:
+    return cone(dice, false);
+  case 6:
+    return box(dice);
+  default:
+    return sphere(dice);
   }
 }
 
@@ -175,13 +207,16 @@ std::string step(Dice& dice) {
   const std::string about = dice.chance(0.3) ? ", about: " + text(dice.point(-0.5, 0.5)) : "";
   const auto factor = [&] { return text(dice.factor(0.7, 1.4)); };
   switch (dice.below(10)) {
-  case 0: return fmt::format(".scale({}{})", factor(), about);
+  case 0:
+    return fmt::format(".scale({}{})", factor(), about);
   case 1: {
     const std::string z = factor(), y = factor(), x = factor();
     return fmt::format(".scale([{}, {}, {}]{})", x, y, z, about);
   }
-  case 2: return fmt::format(".scale(y: {}{})", factor(), about);
-  case 3: return fmt::format(".rotate({}{})", text(dice.vector(-180, 180)), about);
+  case 2:
+    return fmt::format(".scale(y: {}{})", factor(), about);
+  case 3:
+    return fmt::format(".rotate({}{})", text(dice.vector(-180, 180)), about);
   case 4: {
     const double angle = dice.between(-180, 180);
     return fmt::format(".rotate({}: {}{})", "xyz"[dice.below(3)], text(angle), about);
@@ -190,16 +225,20 @@ std::string step(Dice& dice) {
     const double angle = dice.between(-180, 180);
     return fmt::format(".rotate(axis: {}, angle: {}{})", text(dice.direction()), text(angle), about);
   }
-  case 6: return fmt::format(".move({})", text(dice.point(-0.4, 0.4)));
+  case 6:
+    return fmt::format(".move({})", text(dice.point(-0.4, 0.4)));
   case 7: {
     const double zx = dice.between(-0.5, 0.5), xy = dice.between(-0.5, 0.5);
     return fmt::format(".shear(xy: {}, zx: {}{})", text(xy), text(zx), about);
   }
-  case 8: return fmt::format(".mirror({}{})", text(dice.direction()), about);
+  case 8:
+    return fmt::format(".mirror({}{})", text(dice.direction()), about);
   default: {
-    const Vec3 a = dice.vector(-0.3, 0.3), b = dice.vector(-0.3, 0.3), c = dice.vector(-0.3, 0.3), t = dice.point(-0.4, 0.4);
-    return fmt::format(".transform([[{}, {}, {}, {}], [{}, {}, {}, {}], [{}, {}, {}, {}]])", text(1 + a.x), text(a.y), text(a.z),
-                       text(t.x), text(b.x), text(1 + b.y), text(b.z), text(t.y), text(c.x), text(c.y), text(1 + c.z), text(t.z));
+    const Vec3 a = dice.vector(-0.3, 0.3), b = dice.vector(-0.3, 0.3), c = dice.vector(-0.3, 0.3),
+               t = dice.point(-0.4, 0.4);
+    return fmt::format(".transform([[{}, {}, {}, {}], [{}, {}, {}, {}], [{}, {}, {}, {}]])", text(1 + a.x), text(a.y),
+                       text(a.z), text(t.x), text(b.x), text(1 + b.y), text(b.z), text(t.y), text(c.x), text(c.y),
+                       text(1 + c.z), text(t.z));
   }
   }
 }

@@ -81,8 +81,10 @@ private:
     for (const Ray& ray : rays) {
       Vec3 p, n;
       p.x = number(), p.y = number(), p.z = number(), n.x = number(), n.y = number(), n.z = number();
-      if (n == Vec3{}) answers.push_back({});
-      else answers.push_back({true, dot(p - ray.origin, ray.direction), against(n, ray.direction)});
+      if (n == Vec3{})
+        answers.push_back({});
+      else
+        answers.push_back({true, dot(p - ray.origin, ray.direction), against(n, ray.direction)});
     }
     return answers;
   }
@@ -96,7 +98,9 @@ Answer ask(const Tracer& tracer, const Ray& ray) {
   return {true, hit->t, against(hit->shading_normal, ray.direction)};
 }
 
-double relative(const Answer& ours, const Answer& theirs) { return std::abs(ours.t - theirs.t) / theirs.t; }
+double relative(const Answer& ours, const Answer& theirs) {
+  return std::abs(ours.t - theirs.t) / theirs.t;
+}
 
 // Whether a ray 1e-9 beside this one finds what POV-Ray finds: the ray grazes something.
 bool is_at_an_edge(const Tracer& tracer, const Ray& ray, const Answer& theirs) {
@@ -104,7 +108,8 @@ bool is_at_an_edge(const Tracer& tracer, const Ray& ray, const Answer& theirs) {
   const Vec3 u = normalize(cross(ray.direction, least)), v = cross(ray.direction, u);
   for (int i = 0; i < 8; ++i) {
     const double angle = i * (std::numbers::pi / 4);
-    const Answer other = ask(tracer, {ray.origin, normalize(ray.direction + (u * std::cos(angle) + v * std::sin(angle)) * near_by)});
+    const Answer other =
+        ask(tracer, {ray.origin, normalize(ray.direction + (u * std::cos(angle) + v * std::sin(angle)) * near_by)});
     if (other.is_hit == theirs.is_hit && (!other.is_hit || relative(other, theirs) < 1e-6)) return true;
   }
   return false;
@@ -132,7 +137,9 @@ private:
     Dice dice(scene_seed(settings_.seed, number));
     return random_scene(dice, Mode::geometry);
   }
-  std::vector<Ray> rays(std::size_t number) const { return random_rays(scene_seed(settings_.seed, number), settings_.rays); }
+  std::vector<Ray> rays(std::size_t number) const {
+    return random_rays(scene_seed(settings_.seed, number), settings_.rays);
+  }
 
   void batch(std::size_t first, std::size_t count) {
     if (settings_.stop && *settings_.stop) return;
@@ -184,7 +191,8 @@ private:
     return run;
   }
 
-  static std::string compare(const scene::Scene& scene, const std::vector<Ray>& rays, std::span<const Answer> answers, RunResult& r) {
+  static std::string compare(const scene::Scene& scene, const std::vector<Ray>& rays, std::span<const Answer> answers,
+                             RunResult& r) {
     const Tracer tracer(scene, 1);
     const povray::Gates gates;
     std::string what;
@@ -194,7 +202,8 @@ private:
       const bool is_same = ours.is_hit == theirs.is_hit;
       if (is_same && !ours.is_hit) continue;
       const double distance = is_same ? relative(ours, theirs) : 0;
-      const double turn = is_same ? std::atan2(length(cross(ours.normal, theirs.normal)), dot(ours.normal, theirs.normal)) : 0;
+      const double turn =
+          is_same ? std::atan2(length(cross(ours.normal, theirs.normal)), dot(ours.normal, theirs.normal)) : 0;
       if (is_same && distance <= gates.depth && turn <= gates.normals) {
         ++r.depths;
         r.depths_beyond_p999 += distance > gates.depth_p999;
@@ -206,7 +215,8 @@ private:
       if (is_at_an_edge(tracer, rays[i], theirs)) continue;
       ++r.ids_unexplained;
       what = is_same ? fmt::format("ray {}: distance {:.3g}, normal {:.3g}", i, distance, turn)
-                     : fmt::format("ray {}: {} for us, {} for POV-Ray", i, ours.is_hit ? "a hit" : "a miss", theirs.is_hit ? "a hit" : "a miss");
+                     : fmt::format("ray {}: {} for us, {} for POV-Ray", i, ours.is_hit ? "a hit" : "a miss",
+                                   theirs.is_hit ? "a hit" : "a miss");
     }
     return what;
   }
@@ -248,6 +258,8 @@ private:
 
 } // namespace
 
-RunResult run_geometry(const RunSettings& settings) { return GeometryRun(settings).run(); }
+RunResult run_geometry(const RunSettings& settings) {
+  return GeometryRun(settings).run();
+}
 
 } // namespace rt::tools::oracle

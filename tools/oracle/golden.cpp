@@ -38,7 +38,9 @@ std::string png(const std::vector<Packed>& pixels, int width) {
   image.height = static_cast<png_uint_32>(pixels.size()) / image.width;
   image.format = PNG_FORMAT_LINEAR_RGB;
   png_alloc_size_t size = 0;
-  const auto write = [&](void* to) { return png_image_write_to_memory(&image, to, &size, 0, pixels.data(), 0, nullptr) != 0; };
+  const auto write = [&](void* to) {
+    return png_image_write_to_memory(&image, to, &size, 0, pixels.data(), 0, nullptr) != 0;
+  };
   std::string bytes;
   bool is_written = write(nullptr);
   if (is_written) {
@@ -82,8 +84,10 @@ povray::Shots decode_golden(const std::string& bytes, const std::string& name) {
   shots.color.assign(image.color.begin(), image.color.begin() + size);
   const std::vector<Packed> packed = povray::to_16_bits({image.color.begin() + size, image.color.end()});
   for (std::size_t i = 0; i < packed.size(); ++i) {
-    if (i < packed.size() / 2) shots.ids.push_back(povray::decode_id(packed[i]));
-    else shots.depth.push_back(povray::decode_depth(packed[i]));
+    if (i < packed.size() / 2)
+      shots.ids.push_back(povray::decode_id(packed[i]));
+    else
+      shots.depth.push_back(povray::decode_depth(packed[i]));
   }
   return shots;
 }

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-/// Small pictures that POV-Ray made once, kept with the tests, so that ours are compared with them also where there is no
-/// POV-Ray.
+/// Small pictures that POV-Ray made once, kept with the tests, so that ours are compared with them also where there is
+/// no POV-Ray.
 namespace rt::tools::oracle {
 
 /// Of the texts that POV-Ray gets: another one means that a kept picture is out of date. 16 hexadecimal digits.
@@ -23,8 +23,8 @@ using GoldenIndex = std::map<std::string, std::string>;
 GoldenIndex read_index(const std::string& text);
 std::string write_index(const GoldenIndex& index);
 
-/// Distances to 1e-9, colours to one count of 16 bits, every other pixel explained. How many pixels have to be equal is a
-/// question to all pictures together: 99.99 %.
+/// Distances to 1e-9, colours to one count of 16 bits, every other pixel explained. How many pixels have to be equal is
+/// a question to all pictures together: 99.99 %.
 povray::Gates golden_gates();
 /// Our picture of the scene, in the kept one's size, against the kept one.
 povray::Comparison compare_with_golden(const scene::Scene& scene, const povray::Shots& golden);

@@ -29,7 +29,8 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--scenes", a.settings.scenes, "how many");
   app.add_option("--seed", a.settings.seed, "of the run");
   app.add_option("--first", a.settings.first, "the number of the first scene: --first 17 --scenes 1 repeats one");
-  app.add_option("--mode", a.mode, "color: whole pictures; geometry: rays against shapes")->check(CLI::IsMember({"color", "geometry"}));
+  app.add_option("--mode", a.mode, "color: whole pictures; geometry: rays against shapes")
+      ->check(CLI::IsMember({"color", "geometry"}));
   app.add_option("--at-once", a.settings.at_once, "POV-Rays that work at the same time");
   app.add_option("--rays", a.settings.rays, "for each scene's geometry");
   app.add_option("--save", a.folder, "the folder that failing scenes are saved in");
@@ -59,7 +60,8 @@ int run(Arguments& a) {
   for (std::size_t i = 0; i < std::min(a.settings.keep_failures, result.failures.size()); ++i) {
     const oracle::Failure& f = result.failures[i];
     const std::string path = fmt::format("{}/{}_{}_{}.rtl", a.folder, a.mode, a.settings.seed, f.scene);
-    rt::replace_file(path, fmt::format("// {} run, seed {}, scene {}: {}\n{}", a.mode, a.settings.seed, f.scene, f.what, f.text));
+    rt::replace_file(
+        path, fmt::format("// {} run, seed {}, scene {}: {}\n{}", a.mode, a.settings.seed, f.scene, f.what, f.text));
     print(fmt::format("saved {}\n", path));
   }
   return holds(result, mode) ? exit_fine : exit_scene_is_wrong;

@@ -11,10 +11,13 @@ constexpr double least_equal = 0.9999, least_precise = 0.999, most_refused = 0.0
 // What a run over shapes alone does not look at.
 std::vector<std::string> not_looked_at(Mode mode) {
   if (mode == Mode::color) return {"scene.size", "spot.shadows"};
-  return {"material", "pattern", "light", "sun", "spot", "fade", "scene.", "transparent", "two transparent", "several lights", "no shadow"};
+  return {"material",    "pattern",         "light",          "sun",      "spot", "fade", "scene.",
+          "transparent", "two transparent", "several lights", "no shadow"};
 }
 
-double share(std::size_t part, std::size_t whole) { return whole == 0 ? 1 : static_cast<double>(part) / static_cast<double>(whole); }
+double share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 1 : static_cast<double>(part) / static_cast<double>(whole);
+}
 
 } // namespace
 
@@ -22,19 +25,23 @@ bool holds(const RunResult& r, Mode mode) {
   const bool has_precision = share(r.depths - r.depths_beyond_p999, r.depths) >= least_precise;
   const bool has_colors = mode == Mode::geometry || share(r.color_equal, r.samples) >= least_equal;
   const bool has_most = share(r.refusals.size(), r.scenes + r.refusals.size()) <= most_refused;
-  return r.failures.empty() && has_most && has_precision && has_colors && r.coverage.missing(not_looked_at(mode)).empty();
+  return r.failures.empty() && has_most && has_precision && has_colors &&
+         r.coverage.missing(not_looked_at(mode)).empty();
 }
 
 std::string report(const RunResult& r, Mode mode, bool all_pairs) {
   std::string text = fmt::format("scenes {}, {} {}\n", r.scenes, mode == Mode::color ? "pixels" : "rays", r.samples);
-  if (!r.refusals.empty()) text += fmt::format("scenes that POV-Ray cannot compute exactly, left out: {}\n", r.refusals.size());
+  if (!r.refusals.empty())
+    text += fmt::format("scenes that POV-Ray cannot compute exactly, left out: {}\n", r.refusals.size());
   text += fmt::format("objects: {} mismatches, {} unexplained\n", r.id_mismatches, r.ids_unexplained);
-  text += fmt::format("distances: {} compared, largest relative difference {:.3g}, {:.5f} % within 1e-12\n", r.depths, r.depth_max,
-                      100 * share(r.depths - r.depths_beyond_p999, r.depths));
+  text += fmt::format("distances: {} compared, largest relative difference {:.3g}, {:.5f} % within 1e-12\n", r.depths,
+                      r.depth_max, 100 * share(r.depths - r.depths_beyond_p999, r.depths));
   text += fmt::format("normals: largest angle {:.3g}\n", r.normal_max);
   if (mode == Mode::color)
-    text += fmt::format("colours: {:.5f} % within 1e-5; of the others {} are explained by POV-Ray's limits, {} by rounding, {} not\n",
-                        100 * share(r.color_equal, r.samples), r.color_explained_by_limits, r.color_explained_by_rounding, r.color_unexplained);
+    text += fmt::format(
+        "colours: {:.5f} % within 1e-5; of the others {} are explained by POV-Ray's limits, {} by rounding, {} not\n",
+        100 * share(r.color_equal, r.samples), r.color_explained_by_limits, r.color_explained_by_rounding,
+        r.color_unexplained);
   text += r.coverage.report(all_pairs);
   for (const std::string& name : r.coverage.missing(not_looked_at(mode))) text += fmt::format("NEVER: {}\n", name);
   for (const Refusal& refused : r.refusals) text += fmt::format("left out: scene {}: {}\n", refused.scene, refused.why);
@@ -45,8 +52,8 @@ std::string report(const RunResult& r, Mode mode, bool all_pairs) {
 std::string list_explained(const RunResult& r) {
   std::string text;
   for (const auto& [scene, o] : r.explained)
-    text += fmt::format("scene {} ({}, {}): {}: colour {:.3g}, with POV-Ray's limits {:.3g}\n", scene, o.x, o.y, povray::cause_name(o.cause),
-                        o.color_error, povray::color_difference(o.again, o.theirs));
+    text += fmt::format("scene {} ({}, {}): {}: colour {:.3g}, with POV-Ray's limits {:.3g}\n", scene, o.x, o.y,
+                        povray::cause_name(o.cause), o.color_error, povray::color_difference(o.again, o.theirs));
   return text;
 }
 

@@ -40,7 +40,7 @@ struct Explained {
 };
 
 struct RunResult {
-  std::size_t scenes = 0; ///< that were compared
+  std::size_t scenes = 0;  ///< that were compared
   std::size_t samples = 0; ///< pixels, or rays
   std::size_t depths = 0, depths_beyond_p999 = 0;
   double depth_max = 0, normal_max = 0;

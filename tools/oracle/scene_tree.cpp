@@ -19,8 +19,10 @@ private:
 
   void members(const Block& block) {
     for (const Prop& prop : block.props) {
-      if (prop.block.empty()) line(fmt::format("{}: {}", prop.name, prop.text));
-      else statement(prop.name + ": ", prop.block.front());
+      if (prop.block.empty())
+        line(fmt::format("{}: {}", prop.name, prop.text));
+      else
+        statement(prop.name + ": ", prop.block.front());
     }
     for (const Block& thing : block.things) statement("", thing);
   }
@@ -102,11 +104,17 @@ void each_removal(Block& block, const std::function<void()>& emit) {
 
 } // namespace
 
-std::string print(const Block& file) { return Printer().file(file); }
+std::string print(const Block& file) {
+  return Printer().file(file);
+}
 
-std::string text(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0 : value); }
+std::string text(double value) {
+  return fmt::format("{:.5g}", value == 0 ? 0.0 : value);
+}
 
-std::string text(const Vec3& v) { return fmt::format("[{}, {}, {}]", text(v.x), text(v.y), text(v.z)); }
+std::string text(const Vec3& v) {
+  return fmt::format("[{}, {}, {}]", text(v.x), text(v.y), text(v.z));
+}
 
 std::vector<Block> smaller(const Block& file) {
   std::vector<Block> all;

@@ -20,7 +20,8 @@ struct Prop {
   std::vector<Block> block; ///< none or one
 };
 
-/// `head { props things }.chain`; with `operation` the things as operands, `(a - b) { props }.chain`; without a head the file.
+/// `head { props things }.chain`; with `operation` the things as operands, `(a - b) { props }.chain`; without a head
+/// the file.
 struct Block {
   std::string head;
   std::vector<Prop> props;
@@ -48,7 +49,8 @@ std::string text(const Vec3& v);
 /// All files that have one part less, larger parts first.
 std::vector<Block> smaller(const Block& file);
 
-/// The smallest file found by taking parts away from `file` for which `fails` still holds; calls it at most `tries` times.
+/// The smallest file found by taking parts away from `file` for which `fails` still holds; calls it at most `tries`
+/// times.
 Block minimise(Block file, const std::function<bool(const Block&)>& fails, int tries);
 
 } // namespace rt::tools::oracle

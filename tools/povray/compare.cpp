@@ -9,10 +9,14 @@
 namespace rt::tools::povray {
 namespace {
 
-Vec3 to_vec(const Xyz32& v) { return {v.x, v.y, v.z}; }
+Vec3 to_vec(const Xyz32& v) {
+  return {v.x, v.y, v.z};
+}
 
 // The angle of two unit vectors; from the sine as well, because the cosine alone says nothing of small angles.
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
 
 double relative(double ours, double theirs) {
   if (std::isinf(ours) || std::isinf(theirs)) return ours == theirs ? 0 : std::numeric_limits<double>::infinity();
@@ -55,7 +59,12 @@ public:
 private:
   void pixel(int x, int y) {
     const std::size_t i = film_.index(x, y);
-    Outlier o{.x = x, .y = y, .our_id = film_.object_id[i], .their_id = shots_.ids[i], .ours = film_.color[i], .theirs = shots_.color[i]};
+    Outlier o{.x = x,
+              .y = y,
+              .our_id = film_.object_id[i],
+              .their_id = shots_.ids[i],
+              .ours = film_.color[i],
+              .theirs = shots_.color[i]};
     if (!shots_.is_float) o.ours = clamped(o.ours);
     const bool is_same = o.our_id == o.their_id;
     if (is_same && o.our_id != 0) geometry(i, o);
@@ -165,22 +174,35 @@ std::array<GateName, 7> gate_names() {
 
 const char* cause_name(Cause cause) {
   switch (cause) {
-  case Cause::edge: return "edge";
-  case Cause::depth: return "depth";
-  case Cause::normal: return "normal";
-  case Cause::shading: return "shading";
-  case Cause::tangency: return "tangency";
-  case Cause::coincidence: return "coincidence";
-  case Cause::tolerance: return "POV-Ray's tolerance";
-  case Cause::rounding: return "rounding";
+  case Cause::edge:
+    return "edge";
+  case Cause::depth:
+    return "depth";
+  case Cause::normal:
+    return "normal";
+  case Cause::shading:
+    return "shading";
+  case Cause::tangency:
+    return "tangency";
+  case Cause::coincidence:
+    return "coincidence";
+  case Cause::tolerance:
+    return "POV-Ray's tolerance";
+  case Cause::rounding:
+    return "rounding";
   }
   return "";
 }
 
 std::vector<Verdict> judge(const Comparison& c, const Gates& gates) {
   const double pixels = static_cast<double>(std::max<std::size_t>(c.pixels, 1));
-  const double values[] = {static_cast<double>(c.ids_unexplained), c.depth_max, c.depth_p999, c.normal_max, 0,
-                           static_cast<double>(c.color_equal) / pixels, static_cast<double>(c.color_unexplained)};
+  const double values[] = {static_cast<double>(c.ids_unexplained),
+                           c.depth_max,
+                           c.depth_p999,
+                           c.normal_max,
+                           0,
+                           static_cast<double>(c.color_equal) / pixels,
+                           static_cast<double>(c.color_unexplained)};
   std::vector<Verdict> verdicts;
   for (std::size_t i = 0; const GateName& gate : gate_names()) {
     Verdict v{gate.name, gate.meaning, values[i++], gates.*gate.value};

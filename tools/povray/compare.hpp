@@ -9,36 +9,38 @@ namespace rt::tools::povray {
 
 /// What has to hold. Each is a line of the table, and is set by its name with `--gate NAME=VALUE`.
 struct Gates {
-  double ids = 0;               ///< at most so many unexplained pixels with another object
-  double depth = 1e-9;          ///< largest relative difference of distance
-  double depth_p999 = 1e-12;    ///< the same, for 99.9 % of the pixels
-  double normals = 1e-6;        ///< largest angle between normals, radians
-  double color = 1e-5;          ///< a colour within this of POV-Ray's (of 1, or of itself where it is brighter) is equal
-  double color_share = 0.99;    ///< at least this share of the pixels is equal, or all but one
+  double ids = 0;            ///< at most so many unexplained pixels with another object
+  double depth = 1e-9;       ///< largest relative difference of distance
+  double depth_p999 = 1e-12; ///< the same, for 99.9 % of the pixels
+  double normals = 1e-6;     ///< largest angle between normals, radians
+  double color = 1e-5;       ///< a colour within this of POV-Ray's (of 1, or of itself where it is brighter) is equal
+  double color_share = 0.99; ///< at least this share of the pixels is equal, or all but one
   double color_unexplained = 0; ///< at most so many of the others have no explanation
 };
 
 /// The gates' names and members, for reading and printing them.
 struct GateName {
   const char* name;
-  double Gates::* value;
+  double Gates::*value;
   const char* meaning;
 };
 std::array<GateName, 7> gate_names();
 
 /// Why a pixel differs.
 enum class Cause : std::uint8_t {
-  edge,      ///< another object is hit
-  depth,     ///< the same object at another distance
-  normal,    ///< with another normal
-  shading,   ///< only the colour differs
-  tangency,  ///< explained: a ray 1e-9 beside this one meets the other object
+  edge,        ///< another object is hit
+  depth,       ///< the same object at another distance
+  normal,      ///< with another normal
+  shading,     ///< only the colour differs
+  tangency,    ///< explained: a ray 1e-9 beside this one meets the other object
   coincidence, ///< explained: the other object's surface is as near, within 1e-6
-  tolerance, ///< explained: traced again with POV-Ray's own limits the pixel agrees
-  rounding,  ///< explained: with rays turned by at most 1e-12 it agrees
+  tolerance,   ///< explained: traced again with POV-Ray's own limits the pixel agrees
+  rounding,    ///< explained: with rays turned by at most 1e-12 it agrees
 };
 const char* cause_name(Cause cause);
-constexpr bool is_explained(Cause cause) { return cause >= Cause::tangency; }
+constexpr bool is_explained(Cause cause) {
+  return cause >= Cause::tangency;
+}
 
 /// A pixel that is not equal.
 struct Outlier {
@@ -64,7 +66,7 @@ struct Comparison {
   std::size_t depths_beyond_p999 = 0; ///< pixels whose error is above `Gates::depth_p999`
   double normal_max = 0;
   bool has_normals = true;
-  std::size_t color_equal = 0;     ///< within `Gates::color`
+  std::size_t color_equal = 0;       ///< within `Gates::color`
   std::size_t color_within_8bit = 0; ///< within 1/255
   std::size_t color_unexplained = 0;
   std::size_t color_unstable = 0; ///< explained by rounding alone

@@ -26,7 +26,9 @@ public:
     for (const Object& object : scene_.objects) count_uses(object);
     eyes_ = ray_origins(scene_.camera, scene_.size);
     for (const Origin& origin : dropped_triangles(scene_))
-      inexact_.push_back({"POV-Ray leaves out a triangle whose `normals`, as its transforms leave them, are not all on the same side of it", origin});
+      inexact_.push_back({"POV-Ray leaves out a triangle whose `normals`, as its transforms leave them, are not all on "
+                          "the same side of it",
+                          origin});
     has_media_ = std::any_of(scene_.materials.begin(), scene_.materials.end(), needs_interior);
     Writer objects = write_objects();
     Writer out;
@@ -54,7 +56,8 @@ private:
     bool in_shadowless = false;
     bool is_inside = false; ///< of any composite
     Map to_scene;           ///< from the space that the object is placed in
-    /// Groups are taken apart; what each member says after its own transforms, if it has no texture of its own and if it has.
+    /// Groups are taken apart; what each member says after its own transforms, if it has no texture of its own and if
+    /// it has.
     bool is_apart = false;
     std::string after_plain, after_textured;
   };
@@ -63,13 +66,16 @@ private:
     comment(out, "Exported from a rtlang scene for POV-Ray 3.7. Linear colours, one ray through each pixel's centre:");
     comment(out, fmt::format("povray +Iscene.pov +W{} +H{} -A File_Gamma=1.0", scene_.size[0], scene_.size[1]));
     if (scene_.samples > 1) {
-      comment(out, fmt::format("For its {} samples each pixel, render it that many times as large (the root of it each way)", scene_.samples));
+      comment(out,
+              fmt::format("For its {} samples each pixel, render it that many times as large (the root of it each way)",
+                          scene_.samples));
       comment(out, "and take the mean of each square of pixels.");
     }
     out.line("#version 3.7;");
     if (scene_.max_depth + 1 > most_trace_levels)
-      inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}", most_trace_levels - 1,
-                                      scene_.max_depth), {}});
+      inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}",
+                                      most_trace_levels - 1, scene_.max_depth),
+                          {}});
     out.open("global_settings");
     out.line("assumed_gamma 1.0");
     out.line(fmt::format("max_trace_level {}", std::min(scene_.max_depth + 1, most_trace_levels)));
@@ -92,14 +98,19 @@ private:
       for (const Light& light : scene_.lights) {
         comment_origin(out, noun(light), light.name, light.origin);
         if (const SpotLight* spot = std::get_if<SpotLight>(&light.source); spot && !spot->shadows)
-          inexact_.push_back({"POV-Ray has no spotlight without shadows: `shadowless` makes it shine in all directions", light.origin});
+          inexact_.push_back({"POV-Ray has no spotlight without shadows: `shadowless` makes it shine in all directions",
+                              light.origin});
         write_light(out, light, scene_.camera);
       }
       objects(out, scene_.objects, {});
       if (!scene_.lights.empty()) out.close("global_lights off");
       break;
-    case Pass::ids: objects(out, scene_.objects, textured()); break;
-    case Pass::depth: everything(out, "union", depth_texture); break;
+    case Pass::ids:
+      objects(out, scene_.objects, textured());
+      break;
+    case Pass::depth:
+      everything(out, "union", depth_texture);
+      break;
     case Pass::normals:
       write_normal_lights(out);
       everything(out, "union", "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
@@ -109,7 +120,8 @@ private:
   }
 
   void everything(Writer& out, std::string_view head, std::string_view texture) {
-    if (std::none_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& o) { return has_surface(o); })) return;
+    if (std::none_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& o) { return has_surface(o); }))
+      return;
     out.open(head);
     objects(out, scene_.objects, textured());
     out.close(texture);
@@ -143,19 +155,21 @@ private:
     const std::optional<Triangle> kept = moved_to_be_kept(scene_, o);
     const std::string own = transforms(placement);
     std::string modifiers;
-    if (options_.pass == Pass::color) modifiers = surface(o, around, inside, kept ? own : "") + shadow(o, around, inside);
+    if (options_.pass == Pass::color)
+      modifiers = surface(o, around, inside, kept ? own : "") + shadow(o, around, inside);
     if (options_.pass == Pass::ids && !around.in_solid && o.shape.kind != kind_of<Group>)
       modifiers = fmt::format(" {}", id_texture(++last_id_));
     inside.to_scene = then(map_of(placement), around.to_scene);
     if (options_.pass == Pass::color) modifiers += eye(o, inside);
     const bool has_texture = modifiers.find(" texture {") != std::string::npos;
     modifiers += (kept ? "" : own) + (has_texture ? around.after_textured : around.after_plain);
-    // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only in
-    // `scale`: not in `matrix`.
+    // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only
+    // in `scale`: not in `matrix`.
     const std::string last = !around.is_inside && has_smooth(scene_, o) ? " scale 1" : "";
     modifiers += last;
     inside.is_inside = true;
-    if (o.shape.kind == kind_of<Group> && options_.pass == Pass::color && !around.in_solid && (around.is_apart || must_be_apart(o, inside))) {
+    if (o.shape.kind == kind_of<Group> && options_.pass == Pass::color && !around.in_solid &&
+        (around.is_apart || must_be_apart(o, inside))) {
       inside.is_apart = true;
       inside.after_plain = modifiers;
       inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + own + around.after_textured + last;
@@ -164,10 +178,14 @@ private:
     inside.is_apart = false;
     inside.after_plain.clear();
     inside.after_textured.clear();
-    if (o.shape.kind == kind_of<Group>) group(out, o.shape, inside, modifiers);
-    else if (o.shape.kind == kind_of<Combination>) combination(out, o.shape, inside, modifiers);
+    if (o.shape.kind == kind_of<Group>)
+      group(out, o.shape, inside, modifiers);
+    else if (o.shape.kind == kind_of<Combination>)
+      combination(out, o.shape, inside, modifiers);
     else {
-      const Primitive p = kept ? primitive(*kept) : is_thin(o, inside) ? thin_primitive(scene_.shapes.get<Disc>(o.shape)) : primitive(scene_.shapes, o.shape);
+      const Primitive p = kept                 ? primitive(*kept)
+                          : is_thin(o, inside) ? thin_primitive(scene_.shapes.get<Disc>(o.shape))
+                                               : primitive(scene_.shapes, o.shape);
       out.line(fmt::format("{} {{ {}{} }}", p.keyword, p.body, modifiers));
     }
   }
@@ -176,7 +194,8 @@ private:
   std::string shadow(const Object& o, const Around& around, Around& inside) {
     if (o.casts_shadow || around.in_shadowless) return {};
     if (around.in_solid)
-      inexact_.push_back({"in POV-Ray a solid casts its shadow as a whole: `casts_shadow` of a part cannot be written", o.origin});
+      inexact_.push_back(
+          {"in POV-Ray a solid casts its shadow as a whole: `casts_shadow` of a part cannot be written", o.origin});
     inside.in_shadowless = true;
     return " no_shadow";
   }
@@ -191,22 +210,27 @@ private:
     }
     if (around.in_solid || o.shape.kind == kind_of<Group> || !leftmost(o, around.material, needs_interior)) return text;
     const bool says_it = o.material != no_material && needs_interior(material(o.material));
-    return fmt::format("{} {}", text, interior(says_it ? material(o.material) : *leftmost(o, around.material, needs_interior)));
+    return fmt::format("{} {}", text,
+                       interior(says_it ? material(o.material) : *leftmost(o, around.material, needs_interior)));
   }
 
-  // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of what
-  // is none outwards, which changes nothing else, because normals are turned to the viewer.
+  // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of
+  // what is none outwards, which changes nothing else, because normals are turned to the viewer.
   std::string eye(const Object& o, const Around& inside) {
     if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group>) return {};
     const std::size_t held = held_eyes(o, inside.to_scene);
     if (held == 0 || is_thin(o, inside)) return {};
     if (is_medium(o, inside.material)) {
       if (++media_around_eye_ == 2)
-        inexact_.push_back({"the eye is inside more than one transparent solid, and POV-Ray does not say which it takes for the inner one", o.origin});
+        inexact_.push_back({"the eye is inside more than one transparent solid, and POV-Ray does not say which it "
+                            "takes for the inner one",
+                            o.origin});
       return {};
     }
     if (held < eyes_.size())
-      inexact_.push_back({"a part of the view's rays starts inside of this opaque thing: POV-Ray takes it for a medium that they are in", o.origin});
+      inexact_.push_back({"a part of the view's rays starts inside of this opaque thing: POV-Ray takes it for a medium "
+                          "that they are in",
+                          o.origin});
     return " inverse";
   }
 
@@ -219,12 +243,13 @@ private:
 
   // How many of the points where rays start are inside.
   std::size_t held_eyes(const Object& o, const Map& to_scene) const {
-    return static_cast<std::size_t>(
-        std::count_if(eyes_.begin(), eyes_.end(), [&](const Vec3& eye) { return holds_in_povray(scene_, o, to_scene, eye); }));
+    return static_cast<std::size_t>(std::count_if(
+        eyes_.begin(), eyes_.end(), [&](const Vec3& eye) { return holds_in_povray(scene_, o, to_scene, eye); }));
   }
 
   bool is_medium(const Object& o, MaterialId inherited) const {
-    return o.shape.kind != kind_of<Disc> && leftmost(o, inherited, [](const Material& m) { return m.refract > 0; }) != nullptr;
+    return o.shape.kind != kind_of<Disc> &&
+           leftmost(o, inherited, [](const Material& m) { return m.refract > 0; }) != nullptr;
   }
 
   // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
@@ -234,16 +259,16 @@ private:
       if (!member.is_visible) continue;
       Around next = inside;
       next.to_scene = then(map_of(placement_of(scene_, member)), inside.to_scene);
-      if (member.shape.kind == kind_of<Group> ? must_be_apart(member, next)
-                                              : held_eyes(member, next.to_scene) > 0)
+      if (member.shape.kind == kind_of<Group> ? must_be_apart(member, next) : held_eyes(member, next.to_scene) > 0)
         return true;
     }
     return false;
   }
 
-  // The first material of a part that is such. A combination is one medium: its own material's, else that of its leftmost
-  // part that has an index.
-  template <class Is> const Material* leftmost(const Object& o, MaterialId inherited, const Is& is_such) const {
+  // The first material of a part that is such. A combination is one medium: its own material's, else that of its
+  // leftmost part that has an index.
+  template <class Is>
+  const Material* leftmost(const Object& o, MaterialId inherited, const Is& is_such) const {
     const MaterialId id = o.material != no_material ? o.material : inherited;
     if (!is_composite(o.shape)) return is_such(material(id)) ? &material(id) : nullptr;
     for (const Object& part : members(o.shape))
@@ -251,7 +276,9 @@ private:
     return nullptr;
   }
 
-  static bool is_composite(ShapeRef shape) { return shape.kind == kind_of<Group> || shape.kind == kind_of<Combination>; }
+  static bool is_composite(ShapeRef shape) {
+    return shape.kind == kind_of<Group> || shape.kind == kind_of<Combination>;
+  }
 
   const std::vector<Object>& members(ShapeRef shape) const {
     return shape.kind == kind_of<Group> ? scene_.shapes.get<Group>(shape).members
@@ -270,9 +297,12 @@ private:
 
   static const char* keyword(Combination::Operation operation) {
     switch (operation) {
-    case Combination::Operation::unite: return "merge";
-    case Combination::Operation::intersect: return "intersection";
-    case Combination::Operation::subtract: return "difference";
+    case Combination::Operation::unite:
+      return "merge";
+    case Combination::Operation::intersect:
+      return "intersection";
+    case Combination::Operation::subtract:
+      return "difference";
     }
     return "";
   }
@@ -291,7 +321,8 @@ private:
 
   // A shared composite is declared once for each way in which its surroundings reach into it.
   std::string declared(std::string_view word, ShapeRef shape, const Around& inside) {
-    const auto key = std::tuple(shape.kind, shape.index, inside.material, inside.is_textured, inside.in_solid, inside.in_shadowless);
+    const auto key =
+        std::tuple(shape.kind, shape.index, inside.material, inside.is_textured, inside.in_solid, inside.in_shadowless);
     if (const auto known = shared_.find(key); known != shared_.end()) return known->second;
     Writer out;
     const std::string name = fmt::format("shared_{}", shared_.size() + 1);
@@ -306,7 +337,8 @@ private:
 
   // The name of the declared texture of a material, which is written on first use.
   std::string texture(MaterialId id) {
-    const std::string name = id == no_material ? "material_default" : fmt::format("material_{}", static_cast<std::uint32_t>(id) + 1);
+    const std::string name =
+        id == no_material ? "material_default" : fmt::format("material_{}", static_cast<std::uint32_t>(id) + 1);
     if (!textures_.emplace(id, true).second) return name;
     Writer out;
     std::vector<std::string> problems;
@@ -365,7 +397,9 @@ private:
 
 } // namespace
 
-Exported export_povray(const Scene& scene, const ExportOptions& options) { return Exporter(scene, options).run(); }
+Exported export_povray(const Scene& scene, const ExportOptions& options) {
+  return Exporter(scene, options).run();
+}
 
 std::string export_geometry(const Scene& scene, const std::string& name) {
   return Exporter(scene, {.pass = Pass::depth, .comments = false}).run_geometry(name);

@@ -8,10 +8,16 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) { return v / std::hypot(v.x, v.y, v.z); }
-double square(const Vec3& v) { return dot(v, v); }
+Vec3 unit(const Vec3& v) {
+  return v / std::hypot(v.x, v.y, v.z);
+}
+double square(const Vec3& v) {
+  return dot(v, v);
+}
 
-bool holds(const Sphere& s, const Vec3& p) { return square(p) < s.radius * s.radius; }
+bool holds(const Sphere& s, const Vec3& p) {
+  return square(p) < s.radius * s.radius;
+}
 
 bool holds(const Plane& plane, const Vec3& p) {
   if (plane.x) return p.x < *plane.x;
@@ -41,12 +47,19 @@ bool holds(const Cylinder& c, const Vec3& p) {
   return square(cross(p - from, unit(axis))) < c.radius * c.radius;
 }
 
-bool holds(const Cone& c, const Vec3& p) { return holds(c.from, c.to, c.radius, c.top_radius, p); }
+bool holds(const Cone& c, const Vec3& p) {
+  return holds(c.from, c.to, c.radius, c.top_radius, p);
+}
 
 // POV-Ray's disc has everything below it for its inside.
-bool holds(const Disc& d, const Vec3& p) { return dot(d.normal, p) < 0; }
+bool holds(const Disc& d, const Vec3& p) {
+  return dot(d.normal, p) < 0;
+}
 
-template <class Flat> bool holds(const Flat&, const Vec3&) { return false; }
+template <class Flat>
+bool holds(const Flat&, const Vec3&) {
+  return false;
+}
 
 } // namespace
 
@@ -61,12 +74,16 @@ bool holds_in_povray(const Scene& scene, const Object& object, const Map& placem
   if (object.shape.kind == kind_of<Combination>) {
     const auto& c = scene.shapes.get<Combination>(object.shape);
     std::vector<Object> parts;
-    std::copy_if(c.operands.begin(), c.operands.end(), std::back_inserter(parts), [](const Object& o) { return o.is_visible; });
+    std::copy_if(c.operands.begin(), c.operands.end(), std::back_inserter(parts),
+                 [](const Object& o) { return o.is_visible; });
     if (parts.empty()) return false;
     switch (c.operation) {
-    case Combination::Operation::unite: return std::any_of(parts.begin(), parts.end(), part);
-    case Combination::Operation::intersect: return std::all_of(parts.begin(), parts.end(), part);
-    case Combination::Operation::subtract: return part(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), part);
+    case Combination::Operation::unite:
+      return std::any_of(parts.begin(), parts.end(), part);
+    case Combination::Operation::intersect:
+      return std::all_of(parts.begin(), parts.end(), part);
+    case Combination::Operation::subtract:
+      return part(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), part);
     }
   }
   return scene.shapes.visit(object.shape, [&](const auto& shape) { return holds(shape, p); });

@@ -7,8 +7,12 @@ namespace {
 
 using namespace rt::scene;
 
-bool is_grey(const Color& c) { return c.r == c.g && c.g == c.b; }
-std::string amount(const Color& c) { return is_grey(c) ? number(c.r) : rgb(c); }
+bool is_grey(const Color& c) {
+  return c.r == c.g && c.g == c.b;
+}
+std::string amount(const Color& c) {
+  return is_grey(c) ? number(c.r) : rgb(c);
+}
 
 // Writes one material. Its patterns all live in the material's space, but POV-Ray carries a pigment or texture inside a
 // pattern along with that pattern: `current` is the map from where the text stands to the material's space, and what
@@ -44,7 +48,8 @@ private:
 
   static std::string keyword(const Pattern& p) {
     switch (p.kind) {
-    case PatternKind::checker: return "checker";
+    case PatternKind::checker:
+      return "checker";
     }
     return {};
   }
@@ -102,8 +107,12 @@ void write_texture(Writer& out, const std::string& head, const Scene& scene, con
   TextureWriter(out, scene, inexact).texture(head, material, {});
 }
 
-bool needs_interior(const Material& material) { return material.refract > 0 || material.fresnel; }
+bool needs_interior(const Material& material) {
+  return material.refract > 0 || material.fresnel;
+}
 
-std::string interior(const Material& material) { return fmt::format("interior {{ ior {} }}", number(material.ior)); }
+std::string interior(const Material& material) {
+  return fmt::format("interior {{ ior {} }}", number(material.ior));
+}
 
 } // namespace rt::tools::povray

@@ -27,8 +27,8 @@ Primitive thin_primitive(const scene::Disc& disc);
 /// Whether the shape is a triangle with vertex normals, and whether there is one in it.
 bool is_smooth(const scene::Shapes& shapes, scene::ShapeRef shape);
 bool has_smooth(const scene::Scene& scene, const scene::Object& object);
-/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it; it looks after each
-/// transform.
+/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it; it looks after
+/// each transform.
 bool is_dropped(const scene::Triangle& triangle);
 /// Where the triangles are written that POV-Ray would leave out however their own transforms are written.
 std::vector<scene::Origin> dropped_triangles(const scene::Scene& scene);

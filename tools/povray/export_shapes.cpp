@@ -9,9 +9,13 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) { return v / std::hypot(v.x, v.y, v.z); }
+Vec3 unit(const Vec3& v) {
+  return v / std::hypot(v.x, v.y, v.z);
+}
 
-Primitive primitive_of(const Sphere& s) { return {"sphere", fmt::format("0, {}", number(s.radius))}; }
+Primitive primitive_of(const Sphere& s) {
+  return {"sphere", fmt::format("0, {}", number(s.radius))};
+}
 
 Primitive primitive_of(const Plane& p) {
   if (p.x) return {"plane", "x, " + number(*p.x)};
@@ -79,7 +83,9 @@ Primitive outline(const std::vector<Vec3>& points) {
   return {"polygon", body + ", " + vector(points.front())};
 }
 
-Primitive primitive_of(const Polygon& p) { return outline(p.points); }
+Primitive primitive_of(const Polygon& p) {
+  return outline(p.points);
+}
 
 Primitive parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) {
   return outline({corner, corner + u, corner + u + v, corner + v});
@@ -96,22 +102,30 @@ Primitive primitive_of(const Quad& q) {
   return parallelogram((u + v) * -0.5, u, v);
 }
 
-Primitive primitive_of(const Group&) { return {}; }
-Primitive primitive_of(const Combination&) { return {}; }
+Primitive primitive_of(const Group&) {
+  return {};
+}
+Primitive primitive_of(const Combination&) {
+  return {};
+}
 
 } // namespace
 
-// The slab is cut away by a thinner and narrower one; what is inside of it and below the disc is all that is left of the
-// disc's inside, because POV-Ray does not ask `clipped_by` for that.
+// The slab is cut away by a thinner and narrower one; what is inside of it and below the disc is all that is left of
+// the disc's inside, because POV-Ray does not ask `clipped_by` for that.
 Primitive thin_primitive(const Disc& d) {
   const Vec3 half = d.normal / std::hypot(d.normal.x, d.normal.y, d.normal.z) * (d.radius * 1e-3);
   const auto slab = [&](double height, double width) {
-    return fmt::format("cylinder {{ {}, {}, {} }}", vector(half * -height), vector(half * height), number(width * d.radius));
+    return fmt::format("cylinder {{ {}, {}, {} }}", vector(half * -height), vector(half * height),
+                       number(width * d.radius));
   };
-  return {"intersection", fmt::format("disc {{ {} }} {} clipped_by {{ {} }}", primitive_of(d).body, slab(1, 2), slab(0.5, 1.5))};
+  return {"intersection",
+          fmt::format("disc {{ {} }} {} clipped_by {{ {} }}", primitive_of(d).body, slab(1, 2), slab(0.5, 1.5))};
 }
 
-Primitive primitive(const Triangle& triangle) { return primitive_of(triangle); }
+Primitive primitive(const Triangle& triangle) {
+  return primitive_of(triangle);
+}
 
 Primitive primitive(const Shapes& shapes, ShapeRef shape) {
   return shapes.visit(shape, [](const auto& s) { return primitive_of(s); });

@@ -8,7 +8,9 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) { return v / std::hypot(v.x, v.y, v.z); }
+Vec3 unit(const Vec3& v) {
+  return v / std::hypot(v.x, v.y, v.z);
+}
 
 Triangle moved(Triangle t, const Map& map) {
   const Map back = inverse(map);
@@ -49,7 +51,8 @@ private:
   void walk(const std::vector<Object>& objects) {
     for (const Object& o : objects) {
       if (!has_smooth(scene_, o)) continue;
-      if (is_smooth(scene_.shapes, o.shape)) triangle(o);
+      if (is_smooth(scene_.shapes, o.shape))
+        triangle(o);
       else {
         around_.push_back(placement_of(scene_, o));
         walk(scene_.shapes.get<Group>(o.shape).members);
@@ -90,7 +93,9 @@ bool is_dropped(const Triangle& t) {
   return !(side(0) > 0 && side(1) > 0 && side(2) > 0) && !(side(0) < 0 && side(1) < 0 && side(2) < 0);
 }
 
-std::vector<Origin> dropped_triangles(const Scene& scene) { return DroppedTriangles(scene).run(); }
+std::vector<Origin> dropped_triangles(const Scene& scene) {
+  return DroppedTriangles(scene).run();
+}
 
 std::optional<Triangle> moved_to_be_kept(const Scene& scene, const Object& o) {
   if (!is_smooth(scene.shapes, o.shape)) return std::nullopt;

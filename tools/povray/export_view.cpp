@@ -10,14 +10,17 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) { return v / std::hypot(v.x, v.y, v.z); }
+Vec3 unit(const Vec3& v) {
+  return v / std::hypot(v.x, v.y, v.z);
+}
 
 // POV-Ray's fade is 2 / (1 + (D / fade_distance)^fade_power): the colour is halved for it. 1 / D² is the limit of
 // (1/e²) / (1 + (D/e)²) for small e, with a relative error of (e/D)²: 1e-12 at distance 1.
 std::string fade(const Fade& fade, Color& color) {
   constexpr double e = 1e-6;
   switch (fade.law) {
-  case Fade::Law::none: return {};
+  case Fade::Law::none:
+    return {};
   case Fade::Law::linear:
     color = color * 0.5;
     return fmt::format(" fade_distance {} fade_power 1", number(fade.distance));
@@ -48,9 +51,10 @@ std::string body(const PointLight& source, const Light& light, const Camera&) {
 std::string body(const SpotLight& source, const Light& light, const Camera&) {
   Color color = source.color * source.intensity;
   const std::string fading = fade(source.fade, color);
-  return fmt::format("{}, {} spotlight point_at {} radius {} falloff {} tightness 0{}{}{}", vector(source.at), rgb(color),
-                     vector(source.look_at), number(source.angle / 2), number(source.falloff.value_or(source.angle) / 2),
-                     fading, source.shadows ? "" : " shadowless", all_transforms(light));
+  return fmt::format("{}, {} spotlight point_at {} radius {} falloff {} tightness 0{}{}{}", vector(source.at),
+                     rgb(color), vector(source.look_at), number(source.angle / 2),
+                     number(source.falloff.value_or(source.angle) / 2), fading, source.shadows ? "" : " shadowless",
+                     all_transforms(light));
 }
 
 // A parallel light of POV-Ray stands on a plane and what is beyond that plane casts no shadow: it is put farther away
@@ -60,8 +64,8 @@ std::string body(const SunLight& source, const Light& light, const Camera& camer
   for (const Step& step : light.chain) way = map_of(step).vector(way);
   for (const Placement& placement : light.enclosing) way = map_of(placement).vector(way);
   const double distance = std::max(10 * farthest_hit, 100 * std::hypot(camera.at.x, camera.at.y, camera.at.z));
-  return fmt::format("{}, {} parallel point_at 0{}", vector(unit(way) * -distance), rgb(source.color * source.intensity),
-                     source.shadows ? "" : " shadowless");
+  return fmt::format("{}, {} parallel point_at 0{}", vector(unit(way) * -distance),
+                     rgb(source.color * source.intensity), source.shadows ? "" : " shadowless");
 }
 
 } // namespace
@@ -111,13 +115,14 @@ void write_camera(Writer& out, const Camera& camera, Resolution size) {
 }
 
 // A distance d is (1 + u)/2 · 2^e with 0 ≤ u < 1. The channels of 16 bits hold u's first 16 bits, its next 16, and
-// e + 32 in 7 bits with the last 9 bits of u. A pattern's value must not leave [0, 1]; `average` divides by three, which
-// the colour maps undo.
+// e + 32 in 7 bits with the last 9 bits of u. A pattern's value must not leave [0, 1]; `average` divides by three,
+// which the colour maps undo.
 void write_depth_functions(Writer& out, const Camera& camera) {
   if (camera.projection == Projection::orthographic) {
     const Vec3 f = unit(camera.look_at - camera.at);
     out.line(fmt::format("#declare distance_to = function {{ (x - ({}))*({}) + (y - ({}))*({}) + (z - ({}))*({}) }}",
-                         number(camera.at.x), number(f.x), number(camera.at.y), number(f.y), number(camera.at.z), number(f.z)));
+                         number(camera.at.x), number(f.x), number(camera.at.y), number(f.y), number(camera.at.z),
+                         number(f.z)));
   } else {
     out.line(fmt::format("#declare distance_to = function {{ sqrt((x - ({0}))*(x - ({0})) + (y - ({1}))*(y - ({1})) + "
                          "(z - ({2}))*(z - ({2}))) }}",
@@ -125,10 +130,13 @@ void write_depth_functions(Writer& out, const Camera& camera) {
   }
   for (const char* line : {
            "#declare distance_exponent = function { ceil(ln(max(distance_to(x, y, z), 1e-9))/ln(2)) }",
-           "#declare distance_mantissa = function { min(max(2*distance_to(x, y, z)/pow(2, distance_exponent(x, y, z)) - 1, 0), 1 - 1e-15) }",
+           "#declare distance_mantissa = function { min(max(2*distance_to(x, y, z)/pow(2, distance_exponent(x, y, z)) "
+           "- 1, 0), 1 - 1e-15) }",
            "#declare distance_high = function { floor(distance_mantissa(x, y, z)*65536) }",
-           "#declare distance_middle = function { floor((distance_mantissa(x, y, z)*65536 - distance_high(x, y, z))*65536) }",
-           "#declare distance_low = function { floor(((distance_mantissa(x, y, z)*65536 - distance_high(x, y, z))*65536 - distance_middle(x, y, z))*512) }",
+           "#declare distance_middle = function { floor((distance_mantissa(x, y, z)*65536 - distance_high(x, y, "
+           "z))*65536) }",
+           "#declare distance_low = function { floor(((distance_mantissa(x, y, z)*65536 - distance_high(x, y, "
+           "z))*65536 - distance_middle(x, y, z))*512) }",
        })
     out.line(line);
   out.open("#declare distance_texture = texture");
@@ -137,7 +145,8 @@ void write_depth_functions(Writer& out, const Camera& camera) {
   out.open("pigment_map");
   out.line("[1 function { distance_high(x, y, z)/65535 } color_map { [0 rgb 0] [1 rgb <3, 0, 0>] }]");
   out.line("[1 function { distance_middle(x, y, z)/65535 } color_map { [0 rgb 0] [1 rgb <0, 3, 0>] }]");
-  out.line("[1 function { ((distance_exponent(x, y, z) + 32)*512 + distance_low(x, y, z))/65535 } color_map { [0 rgb 0] [1 rgb <0, 0, 3>] }]");
+  out.line("[1 function { ((distance_exponent(x, y, z) + 32)*512 + distance_low(x, y, z))/65535 } color_map { [0 rgb "
+           "0] [1 rgb <0, 0, 3>] }]");
   out.close();
   out.close();
   out.line("finish { ambient 0 diffuse 0 emission 1 }");
@@ -161,12 +170,13 @@ Packed encode_depth(double distance) {
     return static_cast<int>(whole);
   };
   const int high = next(65536), middle = next(512), low = next(1);
-  return {static_cast<std::uint16_t>(high), static_cast<std::uint16_t>(middle), static_cast<std::uint16_t>((exponent + 32) * 512 + low)};
+  return {static_cast<std::uint16_t>(high), static_cast<std::uint16_t>(middle),
+          static_cast<std::uint16_t>((exponent + 32) * 512 + low)};
 }
 
 std::string id_texture(std::uint32_t id) {
-  return fmt::format("texture {{ pigment {{ rgb <{}, {}, {}>/255 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}", id % 256,
-                     id / 256 % 256, id / 65536);
+  return fmt::format("texture {{ pigment {{ rgb <{}, {}, {}>/255 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}",
+                     id % 256, id / 256 % 256, id / 65536);
 }
 
 Packed encode_id(std::uint32_t id) {

@@ -4,8 +4,8 @@
 
 namespace rt::tools {
 
-/// The colour of an error on a logarithmic scale: black at 0, dark blue from 1e-8, through purple, red and yellow to white
-/// at 1 and above. Linear light.
+/// The colour of an error on a logarithmic scale: black at 0, dark blue from 1e-8, through purple, red and yellow to
+/// white at 1 and above. Linear light.
 Rgb32 heat(double error);
 
 /// A picture of a field of errors.

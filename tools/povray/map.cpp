@@ -6,7 +6,9 @@
 namespace rt::tools::povray {
 namespace {
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180);
+}
 
 Map moving(const Vec3& offset) {
   Map map;
@@ -40,17 +42,27 @@ Map about(const Vec3& fixed, const Map& map) {
   return then(then(moving(-fixed), map), moving(fixed));
 }
 
-Map map_of(const scene::ScaleStep& step) { return about(step.about, scaling(step.factors)); }
-Map map_of(const scene::RotateStep& step) { return about(step.about, rotating(step.degrees)); }
-Map map_of(const scene::MoveStep& step) { return moving(step.offset); }
+Map map_of(const scene::ScaleStep& step) {
+  return about(step.about, scaling(step.factors));
+}
+Map map_of(const scene::RotateStep& step) {
+  return about(step.about, rotating(step.degrees));
+}
+Map map_of(const scene::MoveStep& step) {
+  return moving(step.offset);
+}
 Map map_of(const scene::MatrixStep& step) {
   return {{step.matrix.x, step.matrix.y, step.matrix.z, step.matrix.translation}};
 }
 
 } // namespace
 
-Vec3 Map::vector(const Vec3& v) const { return v.x * row[0] + v.y * row[1] + v.z * row[2]; }
-Vec3 Map::point(const Vec3& p) const { return vector(p) + row[3]; }
+Vec3 Map::vector(const Vec3& v) const {
+  return v.x * row[0] + v.y * row[1] + v.z * row[2];
+}
+Vec3 Map::point(const Vec3& p) const {
+  return vector(p) + row[3];
+}
 
 Map then(const Map& a, const Map& b) {
   return {{b.vector(a.row[0]), b.vector(a.row[1]), b.vector(a.row[2]), b.point(a.row[3])}};

@@ -8,7 +8,8 @@
 /// POV-Ray's convention (row vectors), so that a mistake in the renderer's matrices cannot agree with itself.
 namespace rt::tools::povray {
 
-/// p' = p · M: rows 0 to 2 are the images of the unit vectors, row 3 is the translation. The order of POV-Ray's `matrix`.
+/// p' = p · M: rows 0 to 2 are the images of the unit vectors, row 3 is the translation. The order of POV-Ray's
+/// `matrix`.
 struct Map {
   std::array<Vec3, 4> row{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, 0}};
 

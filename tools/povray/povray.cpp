@@ -41,21 +41,36 @@ std::string complaint(const std::string& errors) {
 
 constexpr int most_starts = 5;
 
-// -D: no window, -A: no antialiasing, -P -V: nothing to wait for or to look at; the streams but the one of errors are off.
+// -D: no window, -A: no antialiasing, -P -V: nothing to wait for or to look at; the streams but the one of errors are
+// off.
 void run(const ScratchFolder& folder, const std::string& text, int width, int height, const RunOptions& options) {
   write_file(folder.path() / "scene.pov", text);
-  const std::vector<std::string> arguments{
-      "+Iscene.pov", "+Oscene.ppm", "+FP16", fmt::format("+W{}", width), fmt::format("+H{}", height), "-D", "-A", "-P", "-V",
-      "-GR", "-GS", "-GD", "-GW", fmt::format("+WT{}", std::max(1, options.threads)), "File_Gamma=1.0"};
+  const std::vector<std::string> arguments{"+Iscene.pov",
+                                           "+Oscene.ppm",
+                                           "+FP16",
+                                           fmt::format("+W{}", width),
+                                           fmt::format("+H{}", height),
+                                           "-D",
+                                           "-A",
+                                           "-P",
+                                           "-V",
+                                           "-GR",
+                                           "-GS",
+                                           "-GD",
+                                           "-GW",
+                                           fmt::format("+WT{}", std::max(1, options.threads)),
+                                           "File_Gamma=1.0"};
   ProcessResult result;
   // On a busy machine POV-Ray may give up before it has begun.
   for (int start = 0; start < most_starts; ++start) {
     result = run_process(program(), arguments, folder.path(), options.time_limit, options.stop);
-    if (result.exit_code == 0 || result.errors.find("Timed out waiting for worker thread startup") == std::string::npos) break;
+    if (result.exit_code == 0 || result.errors.find("Timed out waiting for worker thread startup") == std::string::npos)
+      break;
   }
   if (result.stopped) throw Failed("stopped while POV-Ray was at work");
   if (result.timed_out)
-    throw Failed(fmt::format("POV-Ray did not end within {} s", std::chrono::duration<double>(options.time_limit).count()));
+    throw Failed(
+        fmt::format("POV-Ray did not end within {} s", std::chrono::duration<double>(options.time_limit).count()));
   if (result.exit_code != 0)
     throw Failed(fmt::format("POV-Ray failed (exit code {}): {}", result.exit_code, complaint(result.errors)));
 }
@@ -74,7 +89,8 @@ Picture render(const std::string& text, int width, int height, const RunOptions&
   if (file.width != width || file.height != height || file.bits != 16)
     throw Failed("POV-Ray left no picture of 16 bits in the size that was asked for");
   Picture picture{width, height, file.color, to_16_bits(file.color), false};
-  if (std::optional<std::vector<Rgb32>> state = read_render_state(rt::read_file((folder.path() / "state").string()), width, height)) {
+  if (std::optional<std::vector<Rgb32>> state =
+          read_render_state(rt::read_file((folder.path() / "state").string()), width, height)) {
     picture.color = std::move(*state);
     picture.is_float = true;
   }
@@ -100,7 +116,9 @@ std::string version() {
   return result.errors.substr(begin, result.errors.find_first_of(" \n", begin) - begin);
 }
 
-bool is_installed() { return !find_program("povray").empty(); }
+bool is_installed() {
+  return !find_program("povray").empty();
+}
 
 void run_many(std::size_t count, int at_once, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};

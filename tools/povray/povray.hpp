@@ -33,10 +33,12 @@ struct Picture {
   bool is_float = false;
 };
 
-/// Renders a scene file, one ray through each pixel's centre. Throws Missing or Failed; the scratch folder is gone after.
+/// Renders a scene file, one ray through each pixel's centre. Throws Missing or Failed; the scratch folder is gone
+/// after.
 Picture render(const std::string& text, int width, int height, const RunOptions& options = {});
 
-/// Runs a scene file for what it writes: `inputs` stand beside it as files, and the text of its file `output` is returned.
+/// Runs a scene file for what it writes: `inputs` stand beside it as files, and the text of its file `output` is
+/// returned.
 struct ScriptFile {
   std::string name, text;
 };
@@ -53,8 +55,8 @@ std::optional<std::vector<Rgb32>> read_render_state(const std::string& bytes, in
 /// Rounded to whole numbers, what is outside [0, 1] clamped.
 std::vector<Packed> to_16_bits(const std::vector<Rgb32>& color);
 
-/// Calls `work(0)` … `work(count − 1)` on up to `at_once` threads, for work that mostly waits. An exception ends the whole
-/// and is thrown again.
+/// Calls `work(0)` … `work(count − 1)` on up to `at_once` threads, for work that mostly waits. An exception ends the
+/// whole and is thrown again.
 void run_many(std::size_t count, int at_once, const std::function<void(std::size_t)>& work);
 
 } // namespace rt::tools::povray

@@ -1,17 +1,18 @@
 #include "tools/povray/process.hpp"
 
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <system_error>
 #include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
 
 namespace rt::tools {
 namespace {
@@ -28,7 +29,8 @@ struct Launch {
 
 Launch prepare(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                const std::filesystem::path& folder) {
-  Launch launch{program.string(), folder.string(), (folder / errors_file).string(), "HOME=" + folder.string(), arguments, {}, {}};
+  Launch launch{
+      program.string(), folder.string(), (folder / errors_file).string(), "HOME=" + folder.string(), arguments, {}, {}};
   launch.argv.push_back(launch.program.data());
   for (std::string& argument : launch.arguments) launch.argv.push_back(argument.data());
   launch.argv.push_back(nullptr);
@@ -46,8 +48,8 @@ Launch prepare(const std::filesystem::path& program, const std::vector<std::stri
   _exit(127);
 }
 
-// Sleeps until the process ends, but not for long: a stop from outside must be noticed. Asking every few milliseconds costs
-// more than POV-Ray does where many of them work at a time.
+// Sleeps until the process ends, but not for long: a stop from outside must be noticed. Asking every few milliseconds
+// costs more than POV-Ray does where many of them work at a time.
 class ProcessEnd {
 public:
   explicit ProcessEnd(pid_t process) : file_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
@@ -77,7 +79,8 @@ std::string read_all(const std::string& path) {
 ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "rtlang-XXXXXX").string();
   if (!mkdtemp(name.data()))
-    throw std::filesystem::filesystem_error("cannot make a scratch folder", name, std::error_code(errno, std::generic_category()));
+    throw std::filesystem::filesystem_error("cannot make a scratch folder", name,
+                                            std::error_code(errno, std::generic_category()));
   path_ = name;
 }
 
@@ -93,7 +96,8 @@ std::filesystem::path find_program(const std::string& name) {
     const std::string_view folder = rest.substr(0, rest.find(':'));
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
     const std::filesystem::path candidate = std::filesystem::path(folder) / name;
-    if (!folder.empty() && std::filesystem::is_regular_file(candidate) && access(candidate.c_str(), X_OK) == 0) return std::filesystem::absolute(candidate);
+    if (!folder.empty() && std::filesystem::is_regular_file(candidate) && access(candidate.c_str(), X_OK) == 0)
+      return std::filesystem::absolute(candidate);
   }
   return {};
 }

@@ -8,7 +8,8 @@
 namespace rt::tools::povray {
 namespace {
 
-// Numbers are stored with the most significant byte first. Reading beyond the end yields zeros and is noticed by `failed`.
+// Numbers are stored with the most significant byte first. Reading beyond the end yields zeros and is noticed by
+// `failed`.
 class Bytes {
 public:
   explicit Bytes(std::string_view data) : data_(data) {}
@@ -55,20 +56,23 @@ Block read_block(Bytes& bytes) {
   for (std::uint32_t i = 0; i < attributes && !bytes.failed(); ++i) {
     const std::string_view key = bytes.take(4), type = bytes.take(4);
     const std::uint32_t size = bytes.u32();
-    if (key == "PBlo" && type == "VFL4") block.pixels = bytes.take(4 * std::size_t{size});
+    if (key == "PBlo" && type == "VFL4")
+      block.pixels = bytes.take(4 * std::size_t{size});
     else if (type == "INT4" && size == 4) {
       const std::uint32_t value = bytes.u32();
       if (key == "Left") block.left = value;
       if (key == "Top ") block.top = value;
       if (key == "Righ") block.right = value;
       if (key == "Bott") block.bottom = value;
-    } else bytes.take(size);
+    } else
+      bytes.take(size);
   }
   return block;
 }
 
 bool place(const Block& block, std::size_t width, std::size_t height, std::vector<Rgb32>& image, std::size_t& covered) {
-  if (block.right >= width || block.bottom >= height || block.left > block.right || block.top > block.bottom) return false;
+  if (block.right >= width || block.bottom >= height || block.left > block.right || block.top > block.bottom)
+    return false;
   const std::size_t columns = block.right - block.left + 1, rows = block.bottom - block.top + 1;
   if (block.pixels.size() != columns * rows * bytes_per_pixel) return false;
   Bytes values(block.pixels);
@@ -109,7 +113,9 @@ std::optional<std::vector<Rgb32>> read_render_state(const std::string& data, int
 std::vector<Packed> to_16_bits(const std::vector<Rgb32>& color) {
   std::vector<Packed> image;
   image.reserve(color.size());
-  const auto whole = [](float v) { return static_cast<std::uint16_t>(std::lround(std::clamp(double{v}, 0.0, 1.0) * 65535)); };
+  const auto whole = [](float v) {
+    return static_cast<std::uint16_t>(std::lround(std::clamp(double{v}, 0.0, 1.0) * 65535));
+  };
   for (const Rgb32& c : color) image.push_back({whole(c.r), whole(c.g), whole(c.b)});
   return image;
 }

@@ -120,22 +120,28 @@ std::string base64(std::string_view bytes) {
     std::uint32_t group = 0;
     for (std::size_t j = 0; j < 3; ++j)
       group = group << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
+    for (std::size_t j = 0; j < 4; ++j) text += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
   }
   return text;
 }
 
-std::string picture(const Film& film) { return "data:image/png;base64," + base64(encode(film, ImageFormat::png, {})); }
+std::string picture(const Film& film) {
+  return "data:image/png;base64," + base64(encode(film, ImageFormat::png, {}));
+}
 
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '"') result += "&quot;";
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
   }
   return result;
 }
@@ -164,10 +170,12 @@ std::string gate_rows(const Report& report) {
     const auto number = [&](double value) {
       return v.name == "color_share" ? fmt::format("{:.5f} %", 100 * value) : fmt::format("{:.3g}", value);
     };
-    text += fmt::format("<tr><td class=\"{}\">{}</td><td><code>{}</code></td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
+    text += fmt::format("<tr><td class=\"{}\">{}</td><td><code>{}</code></td><td class=\"number\">{}</td><td "
+                        "class=\"number\">{} {}</td>"
                         "<td>{}</td></tr>\n",
-                        v.holds() ? "good" : "bad", v.holds() ? "holds" : "fails", v.name, v.is_measured ? number(v.value) : "not measured",
-                        v.at_least ? "≥" : "≤", number(v.gate), escaped(v.meaning));
+                        v.holds() ? "good" : "bad", v.holds() ? "holds" : "fails", v.name,
+                        v.is_measured ? number(v.value) : "not measured", v.at_least ? "≥" : "≤", number(v.gate),
+                        escaped(v.meaning));
   }
   return text;
 }
@@ -179,8 +187,9 @@ std::string figure(const Report& report, const std::vector<ObjectName>& names, c
   const auto values = [](const Rgb32& c) { return fmt::format("{:.6g}, {:.6g}, {:.6g}", c.r, c.g, c.b); };
   const std::string object = object_text(*report.description, names, o.our_id);
   const std::string other = object_text(*report.description, names, o.their_id);
-  std::string text = fmt::format("<figure>{}{}<figcaption><b>({}, {})</b> <span class=\"{}\">{}</span><br>{}", canvas("ours"), canvas("theirs"),
-                                 o.x, o.y, is_explained(o.cause) ? "good" : "bad", cause_name(o.cause), escaped(object));
+  std::string text = fmt::format("<figure>{}{}<figcaption><b>({}, {})</b> <span class=\"{}\">{}</span><br>{}",
+                                 canvas("ours"), canvas("theirs"), o.x, o.y, is_explained(o.cause) ? "good" : "bad",
+                                 cause_name(o.cause), escaped(object));
   if (o.our_id != o.their_id) text += fmt::format("; POV-Ray: {}", escaped(other));
   text += fmt::format("<br>ours <code>{}</code><br>POV-Ray <code>{}</code>", values(o.ours), values(o.theirs));
   if (o.is_traced_again) text += fmt::format("<br>with its limits <code>{}</code>", values(o.again));
@@ -193,8 +202,8 @@ std::string outliers(const Report& report) {
   const auto& all = report.comparison.outliers;
   if (all.empty()) return "<p>None.</p>";
   const std::vector<ObjectName> names = object_names(*report.description);
-  std::string text = fmt::format("<p>{} of {} pixels; ours left, POV-Ray's right.</p>\n<div class=\"zoom\">\n", all.size(),
-                                 report.comparison.pixels);
+  std::string text = fmt::format("<p>{} of {} pixels; ours left, POV-Ray's right.</p>\n<div class=\"zoom\">\n",
+                                 all.size(), report.comparison.pixels);
   for (std::size_t i = 0; i < std::min(all.size(), enlarged_pixels); ++i) text += figure(report, names, all[i]);
   return text + "</div>";
 }
@@ -228,10 +237,11 @@ std::string filled(const std::vector<std::pair<std::string_view, std::string>>& 
 std::string report_html(const Report& r) {
   const Comparison& c = r.comparison;
   const bool holds = r.holds();
-  const std::string summary = fmt::format("<span class=\"{}\">{}</span> Ours against POV-Ray {}, {} × {} pixels, {:.2f} s and {:.2f} s. Largest "
-                                          "difference of colour {:.3g} at ({}, {}).",
-                                          holds ? "good" : "bad", holds ? "Every gate holds." : "A gate fails.", escaped(r.povray_version),
-                                          c.width, c.height, r.render_seconds, r.povray_seconds, c.color_max, c.color_max_x, c.color_max_y);
+  const std::string summary = fmt::format(
+      "<span class=\"{}\">{}</span> Ours against POV-Ray {}, {} × {} pixels, {:.2f} s and {:.2f} s. Largest "
+      "difference of colour {:.3g} at ({}, {}).",
+      holds ? "good" : "bad", holds ? "Every gate holds." : "A gate fails.", escaped(r.povray_version), c.width,
+      c.height, r.render_seconds, r.povray_seconds, c.color_max, c.color_max_x, c.color_max_y);
   return filled({{"%TITLE%", escaped(r.scene)},
                  {"%SUMMARY%", summary},
                  {"%STAGE%", std::to_string(std::max(c.width, 640))},

@@ -12,13 +12,18 @@ namespace {
 
 constexpr double near_by = 1e-9, behind = 1e-6, povray_nearest = 1e-4;
 
-std::uint32_t number(const HitReport& hit) { return static_cast<std::uint32_t>(hit.order + 1); }
+std::uint32_t number(const HitReport& hit) {
+  return static_cast<std::uint32_t>(hit.order + 1);
+}
 
-Ray center(const Tracer& tracer, int x, int y) { return tracer.camera().ray(x + 0.5, y + 0.5); }
+Ray center(const Tracer& tracer, int x, int y) {
+  return tracer.camera().ray(x + 0.5, y + 0.5);
+}
 
 } // namespace
 
-Retracer::Retracer(const scene::Scene& scene) : scene_(scene), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))) {
+Retracer::Retracer(const scene::Scene& scene)
+    : scene_(scene), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))) {
   for (scene::Material& m : scene_.materials) m.ior = static_cast<float>(m.ior);
 }
 Retracer::~Retracer() = default;
@@ -28,7 +33,8 @@ const Tracer& Retracer::tracer() {
   return *tracer_;
 }
 
-template <class Turn> Rgb32 Retracer::color(int x, int y, Turn&& turn) {
+template <class Turn>
+Rgb32 Retracer::color(int x, int y, Turn&& turn) {
   Color sum;
   for (int sample = 0; sample < side_ * side_; ++sample)
     sum += tracer().radiance(turn(tracer().camera().ray(x, y, sample, side_)), Tracer::Tolerances::povray);

@@ -19,8 +19,8 @@ public:
   explicit Retracer(const scene::Scene& scene);
   ~Retracer();
 
-  /// The pixel's colour under POV-Ray's limits: no hit nearer than 1e-4 or farther than 1e7, no blocker nearer than 1e-3 to either end of a
-  /// shadow ray, indices of refraction rounded to 32 bits.
+  /// The pixel's colour under POV-Ray's limits: no hit nearer than 1e-4 or farther than 1e7, no blocker nearer than
+  /// 1e-3 to either end of a shadow ray, indices of refraction rounded to 32 bits.
   Rgb32 color(int x, int y);
   /// Whether the pixel has that colour, within `tolerance`, for rays turned by no more than 1e-12: then it hangs on the
   /// last digits, as where a ray after many turns meets the edge of a pattern far away.
@@ -35,7 +35,8 @@ public:
 private:
   const Tracer& tracer();
   Ray beside(const Ray& ray, int i, double size) const;
-  template <class Turn> Rgb32 color(int x, int y, Turn&& turn);
+  template <class Turn>
+  Rgb32 color(int x, int y, Turn&& turn);
 
   scene::Scene scene_;
   int side_;                       ///< of a pixel's grid of samples

@@ -14,20 +14,37 @@ std::string scale(const Vec3& factors) {
   if (factors == Vec3{1, 1, 1}) return {};
   return " scale " + (factors.x == factors.y && factors.y == factors.z ? number(factors.x) : vector(factors));
 }
-std::string rotate(const Vec3& degrees) { return degrees == Vec3{} ? std::string{} : " rotate " + vector(degrees); }
-std::string translate(const Vec3& offset) { return offset == Vec3{} ? std::string{} : " translate " + vector(offset); }
+std::string rotate(const Vec3& degrees) {
+  return degrees == Vec3{} ? std::string{} : " rotate " + vector(degrees);
+}
+std::string translate(const Vec3& offset) {
+  return offset == Vec3{} ? std::string{} : " translate " + vector(offset);
+}
 
-std::string transform_of(const scene::ScaleStep& step) { return about(step.about, scale(step.factors)); }
-std::string transform_of(const scene::RotateStep& step) { return about(step.about, rotate(step.degrees)); }
-std::string transform_of(const scene::MoveStep& step) { return translate(step.offset); }
-template <class Other> std::string transform_of(const Other& step) { return fmt::format(" {}", matrix(map_of(scene::Step(step)))); }
+std::string transform_of(const scene::ScaleStep& step) {
+  return about(step.about, scale(step.factors));
+}
+std::string transform_of(const scene::RotateStep& step) {
+  return about(step.about, rotate(step.degrees));
+}
+std::string transform_of(const scene::MoveStep& step) {
+  return translate(step.offset);
+}
+template <class Other>
+std::string transform_of(const Other& step) {
+  return fmt::format(" {}", matrix(map_of(scene::Step(step))));
+}
 
 } // namespace
 
 // Without the sign of a negative zero, which means nothing in a scene.
-std::string number(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
+std::string number(double value) {
+  return fmt::format("{}", value == 0 ? 0.0 : value);
+}
 
-std::string vector(const Vec3& v) { return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z)); }
+std::string vector(const Vec3& v) {
+  return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z));
+}
 
 std::string rgb(const Color& color, double filter) {
   if (filter == 0) return "rgb " + vector({color.r, color.g, color.b});

@@ -18,7 +18,8 @@ std::vector<Rgb32> shrink(const std::vector<Rgb32>& large, int width, int height
       Color sum;
       for (int j = 0; j < n * n; ++j) {
         const int column = x * n + j % n, row = y * n + j / n;
-        const Rgb32& p = large[static_cast<std::size_t>(row) * static_cast<std::size_t>(width * n) + static_cast<std::size_t>(column)];
+        const Rgb32& p = large[static_cast<std::size_t>(row) * static_cast<std::size_t>(width * n) +
+                               static_cast<std::size_t>(column)];
         sum += {p.r, p.g, p.b};
       }
       sum = sum * (1.0 / (n * n));
@@ -37,13 +38,16 @@ private:
     for (const Object& o : objects) {
       if (!o.is_visible) continue;
       const NameId name = o.name == no_name ? around : o.name;
-      if (o.shape.kind == kind_of<Group>) walk(scene_.shapes.get<Group>(o.shape).members, name);
-      else names_.push_back({name == no_name ? noun(o.shape) : scene_.names[static_cast<std::size_t>(name)], o.origin});
+      if (o.shape.kind == kind_of<Group>)
+        walk(scene_.shapes.get<Group>(o.shape).members, name);
+      else
+        names_.push_back({name == no_name ? noun(o.shape) : scene_.names[static_cast<std::size_t>(name)], o.origin});
     }
   }
 
   std::string noun(ShapeRef shape) const {
-    return scene_.shapes.visit(shape, [](const auto& s) { return std::string(std::remove_cvref_t<decltype(s)>::noun); });
+    return scene_.shapes.visit(shape,
+                               [](const auto& s) { return std::string(std::remove_cvref_t<decltype(s)>::noun); });
   }
 
   const Scene& scene_;
@@ -79,6 +83,8 @@ Shots shoot(const Scene& scene, const ShootOptions& options) {
   return shots;
 }
 
-std::vector<ObjectName> object_names(const Scene& scene) { return Names(scene).take(); }
+std::vector<ObjectName> object_names(const Scene& scene) {
+  return Names(scene).take();
+}
 
 } // namespace rt::tools::povray

@@ -43,7 +43,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(spaces) - begin + 1);
 }
 
-bool is_command(std::string_view input) { return trimmed(input).starts_with(':'); }
+bool is_command(std::string_view input) {
+  return trimmed(input).starts_with(':');
+}
 
 CommandLine split_command(std::string_view input) {
   std::string_view rest = trimmed(input);

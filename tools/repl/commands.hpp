@@ -26,8 +26,8 @@ struct ShellCommand {
 /// All that this program has, in the order of :help.
 std::vector<ShellCommand> shell_commands();
 
-/// The command that a word (without the colon) means: its name, or the beginning of no other's. Otherwise `problem` says
-/// what is wrong with it.
+/// The command that a word (without the colon) means: its name, or the beginning of no other's. Otherwise `problem`
+/// says what is wrong with it.
 struct CommandChoice {
   const ShellCommand* command = nullptr;
   std::string problem;

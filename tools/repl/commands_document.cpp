@@ -3,13 +3,13 @@
 #include "tools/repl/shell.hpp"
 #include "tools/repl/swatch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <optional>
 #include <system_error>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
@@ -57,7 +57,8 @@ bool text(Shell& shell, std::string_view) {
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < document.size();) {
     const std::size_t end = std::min(document.find('\n', begin), document.size());
-    numbered += dim(fmt::format("{:>4}", ++number), shell.output().uses_color) + "  " + document.substr(begin, end - begin) + "\n";
+    numbered += dim(fmt::format("{:>4}", ++number), shell.output().uses_color) + "  " +
+                document.substr(begin, end - begin) + "\n";
     begin = end + 1;
   }
   shell.print(numbered.empty() ? "the document is empty\n" : numbered);
@@ -164,7 +165,9 @@ bool save(Shell& shell, std::string_view arguments) {
   return true;
 }
 
-bool reset(Shell& shell, std::string_view) { return shell.report(shell.session().reset()); }
+bool reset(Shell& shell, std::string_view) {
+  return shell.report(shell.session().reset());
+}
 
 } // namespace
 

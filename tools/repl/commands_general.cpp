@@ -12,11 +12,13 @@ bool help(Shell& shell, std::string_view arguments) {
     if (arguments.front() == ':') arguments.remove_prefix(1);
     const CommandChoice choice = choose_command(arguments, commands);
     if (!choice.command) return shell.fail(choice.problem);
-    shell.print(fmt::format(":{} {}\n  {}\n", choice.command->name, choice.command->arguments, choice.command->summary));
+    shell.print(
+        fmt::format(":{} {}\n  {}\n", choice.command->name, choice.command->arguments, choice.command->summary));
     return true;
   }
-  std::string text = "Type a thing and it is in the scene; type a name, and see its value. `.move(x: 1)` changes the last\n"
-                     "thing; a name that is bound again changes everything that uses it. Commands, which may be shortened:\n";
+  std::string text =
+      "Type a thing and it is in the scene; type a name, and see its value. `.move(x: 1)` changes the last\n"
+      "thing; a name that is bound again changes everything that uses it. Commands, which may be shortened:\n";
   for (const ShellCommand& command : commands) {
     const std::string usage = fmt::format(":{} {}", command.name, command.arguments);
     text += fmt::format("  {:<24} {}\n", usage, command.summary);
@@ -26,7 +28,9 @@ bool help(Shell& shell, std::string_view arguments) {
   return true;
 }
 
-bool recover(Shell& shell, std::string_view) { return shell.recover(); }
+bool recover(Shell& shell, std::string_view) {
+  return shell.recover();
+}
 
 bool quit(Shell& shell, std::string_view) {
   shell.quit();

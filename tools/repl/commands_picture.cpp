@@ -8,12 +8,12 @@
 #include "tools/rtlang/quantity.hpp"
 #include "tools/rtlang/scene_hash.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <system_error>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
@@ -24,7 +24,8 @@ bool show(Shell& shell, std::string_view) {
   const scene::Scene& scene = shell.session().scene();
   const PictureExtent extent = shell.printer().fit(scene.size, terminal_size(), spare_rows);
   const InterruptScope interrupt;
-  const Rendered rendered = shell.render({scene::Resolution{extent.width, extent.height}, {}, false}, &interrupt.stop());
+  const Rendered rendered =
+      shell.render({scene::Resolution{extent.width, extent.height}, {}, false}, &interrupt.stop());
   if (!rendered.is_complete) return shell.fail("stopped");
   shell.tell_assumptions();
   shell.print(shell.printer().print(rendered.film, extent));
@@ -45,19 +46,26 @@ RenderCommand parse_render(std::string_view arguments) {
     const std::string value = i + 1 < words.size() ? words[i + 1] : "";
     if (word == "--size") {
       const auto size = parse_numbers(value, 'x', 2);
-      if (!size || (*size)[0] < 1 || (*size)[1] < 1) command.problem = "--size takes a size such as 800x600";
-      else command.settings.size = scene::Resolution{(*size)[0], (*size)[1]};
+      if (!size || (*size)[0] < 1 || (*size)[1] < 1)
+        command.problem = "--size takes a size such as 800x600";
+      else
+        command.settings.size = scene::Resolution{(*size)[0], (*size)[1]};
       ++i;
     } else if (word == "--samples") {
       int samples = 0;
       std::from_chars(value.data(), value.data() + value.size(), samples);
       const int side = static_cast<int>(std::lround(std::sqrt(std::max(samples, 0))));
-      if (samples < 1 || side * side != samples) command.problem = "--samples takes a square number: 1, 4, 9, 16";
-      else command.settings.samples = samples;
+      if (samples < 1 || side * side != samples)
+        command.problem = "--samples takes a square number: 1, 4, 9, 16";
+      else
+        command.settings.samples = samples;
       ++i;
-    } else if (word.starts_with("--")) command.problem = fmt::format("there is no option `{}`; only --size and --samples", word);
-    else if (command.path.empty()) command.path = word;
-    else command.problem = fmt::format("one file at a time: what is `{}`?", word);
+    } else if (word.starts_with("--"))
+      command.problem = fmt::format("there is no option `{}`; only --size and --samples", word);
+    else if (command.path.empty())
+      command.path = word;
+    else
+      command.problem = fmt::format("one file at a time: what is `{}`?", word);
   }
   if (command.problem.empty() && command.path.empty()) command.problem = "as in `:render picture.png --size 1600x1200`";
   return command;

@@ -10,13 +10,13 @@
 #include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/program.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace rt::tools {
 namespace {
@@ -48,8 +48,8 @@ private:
 bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::string>& arguments) {
   try {
     const DocumentFile document(shell.session());
-    std::vector<std::string> words{subcommand, document.path(), "--quiet", "--shown-as", "session", "--seen-from",
-                                   shell.session().folder()};
+    std::vector<std::string> words{subcommand,    document.path(),         "--quiet", "--shown-as", "session",
+                                   "--seen-from", shell.session().folder()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const InterruptScope interrupt;
     const int result = run_for_session(std::move(words));
@@ -75,10 +75,18 @@ bool ask_about_pixel(Shell& shell, const std::string& subcommand, std::string_vi
   return ask(shell, subcommand, words);
 }
 
-bool probe(Shell& shell, std::string_view arguments) { return ask_about_pixel(shell, "probe", arguments); }
-bool why(Shell& shell, std::string_view arguments) { return ask_about_pixel(shell, "why", arguments); }
-bool lint(Shell& shell, std::string_view arguments) { return ask(shell, "lint", words_of(arguments)); }
-bool check(Shell& shell, std::string_view arguments) { return ask(shell, "check", words_of(arguments)); }
+bool probe(Shell& shell, std::string_view arguments) {
+  return ask_about_pixel(shell, "probe", arguments);
+}
+bool why(Shell& shell, std::string_view arguments) {
+  return ask_about_pixel(shell, "why", arguments);
+}
+bool lint(Shell& shell, std::string_view arguments) {
+  return ask(shell, "lint", words_of(arguments));
+}
+bool check(Shell& shell, std::string_view arguments) {
+  return ask(shell, "check", words_of(arguments));
+}
 
 bool export_scene(Shell& shell, std::string_view arguments) {
   std::vector<std::string> words = words_of(arguments);
@@ -133,7 +141,8 @@ bool doc(Shell& shell, std::string_view arguments) {
   if (arguments.front() == ':') return shell.run(fmt::format(":help {}", arguments));
   const std::string text = describe_word(shell, arguments);
   if (!text.empty()) {
-    shell.print(shell.options().is_interactive ? wrapped(text, static_cast<std::size_t>(terminal_size().columns)) : text);
+    shell.print(shell.options().is_interactive ? wrapped(text, static_cast<std::size_t>(terminal_size().columns))
+                                               : text);
     return true;
   }
   std::vector<std::string> names = shell.session().names();

@@ -39,10 +39,14 @@ Completion argument(Shell& shell, const ShellCommand& command, std::string_view 
   const std::size_t begin = space == std::string_view::npos ? arguments_begin : std::max(arguments_begin, space + 1);
   const std::string_view start = text.substr(begin, cursor - begin);
   switch (command.argument) {
-  case ArgumentKind::none: return {};
-  case ArgumentKind::file: return {begin, complete_path(start)};
-  case ArgumentKind::thing: return beginning_with(start, begin, shell.session().names());
-  case ArgumentKind::word: return beginning_with(start, begin, lang::documented_words(shell.session()));
+  case ArgumentKind::none:
+    return {};
+  case ArgumentKind::file:
+    return {begin, complete_path(start)};
+  case ArgumentKind::thing:
+    return beginning_with(start, begin, shell.session().names());
+  case ArgumentKind::word:
+    return beginning_with(start, begin, lang::documented_words(shell.session()));
   case ArgumentKind::command: {
     std::vector<std::string> names;
     for (const ShellCommand& other : shell_commands()) names.emplace_back(other.name);

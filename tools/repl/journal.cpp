@@ -1,5 +1,11 @@
 #include "tools/repl/journal.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -8,12 +14,6 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace rt::tools {
 namespace {
@@ -74,9 +74,12 @@ std::optional<AbandonedSession> parse_journal(std::string_view text) {
 
 std::string state_folder() {
   fs::path folder;
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state == '/') folder = state;
-  else if (const char* home = std::getenv("HOME"); home && *home == '/') folder = fs::path(home) / ".local/state";
-  else return "";
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state == '/')
+    folder = state;
+  else if (const char* home = std::getenv("HOME"); home && *home == '/')
+    folder = fs::path(home) / ".local/state";
+  else
+    return "";
   folder /= "rtlang";
   std::error_code error;
   fs::create_directories(folder, error);

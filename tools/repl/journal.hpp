@@ -25,8 +25,8 @@ public:
   Journal& operator=(const Journal&) = delete;
 
   void add(std::string_view entry);
-  /// Forgets all entries, and the file. `base` (unless empty) is the entry that leads to where the next ones start from;
-  /// it is written when they are.
+  /// Forgets all entries, and the file. `base` (unless empty) is the entry that leads to where the next ones start
+  /// from; it is written when they are.
   void clear(std::string base = {});
 
 private:

@@ -3,13 +3,13 @@
 #include "lang/utf8.hpp"
 #include "tools/repl/terminal.hpp"
 
-#include <array>
-#include <cerrno>
-#include <string_view>
-
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
 
 namespace rt::tools {
 namespace {
@@ -30,12 +30,18 @@ std::size_t length_of_answer(std::string_view text) {
   return end != std::string_view::npos && text[end] == 'c' ? end + 1 : 0;
 }
 
-bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+bool starts_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
 
 } // namespace
 
-KeyReader::KeyReader(int wake_fd) : wake_fd_(wake_fd) { detail::listen_to_terminal_signals(); }
-KeyReader::~KeyReader() { detail::restore_terminal_signals(); }
+KeyReader::KeyReader(int wake_fd) : wake_fd_(wake_fd) {
+  detail::listen_to_terminal_signals();
+}
+KeyReader::~KeyReader() {
+  detail::restore_terminal_signals();
+}
 
 bool KeyReader::has_more() const {
   int waiting = 0;
@@ -61,8 +67,10 @@ bool KeyReader::fill(int timeout_ms) {
   if (poll(&input, 1, timeout_ms) <= 0) return false;
   std::array<char, 4096> buffer;
   const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-  if (n > 0) bytes_.append(buffer.data(), static_cast<std::size_t>(n));
-  else if (n == 0 || (errno != EINTR && errno != EAGAIN)) is_at_end_ = true;
+  if (n > 0)
+    bytes_.append(buffer.data(), static_cast<std::size_t>(n));
+  else if (n == 0 || (errno != EINTR && errno != EAGAIN))
+    is_at_end_ = true;
   return n > 0;
 }
 
@@ -78,15 +86,18 @@ Key KeyReader::read() {
       if (::read(detail::signal_pipe(), &event, 1) == 1)
         return {.kind = event == 'I' ? Key::Kind::interrupt : Key::Kind::resize};
     }
-    if (sources[1].revents != 0) fill(0);
-    else if (sources[2].revents & POLLIN) return {.kind = Key::Kind::wake};
+    if (sources[1].revents != 0)
+      fill(0);
+    else if (sources[2].revents & POLLIN)
+      return {.kind = Key::Kind::wake};
   }
 }
 
 Key KeyReader::decode() {
   if (bytes_[0] == '\x1b') return escape();
   const std::size_t wanted = length_of_utf8(static_cast<unsigned char>(bytes_[0]));
-  while (bytes_.size() < wanted && fill(escape_timeout_ms)) {}
+  while (bytes_.size() < wanted && fill(escape_timeout_ms)) {
+  }
   const lang::Character c = lang::decode(bytes_);
   bytes_.erase(0, c.bytes);
   return {.code = c.code_point};
@@ -126,15 +137,19 @@ Key KeyReader::escape() {
 
 Key KeyReader::paste() {
   std::size_t end;
-  while ((end = bytes_.find(paste_end)) == std::string::npos && fill(paste_timeout_ms)) {}
+  while ((end = bytes_.find(paste_end)) == std::string::npos && fill(paste_timeout_ms)) {
+  }
   Key key{.kind = Key::Kind::paste, .text = bytes_.substr(0, end)};
   bytes_.erase(0, end == std::string::npos ? end : end + paste_end.size());
   // Terminals send the newlines of what is pasted as Enter.
   std::string text;
   for (std::size_t i = 0; i < key.text.size(); ++i) {
-    if (key.text[i] == '\t') text += "  "; // libedit would show it at the wrong width
-    else if (key.text[i] != '\r') text += key.text[i];
-    else if (i + 1 == key.text.size() || key.text[i + 1] != '\n') text += '\n';
+    if (key.text[i] == '\t')
+      text += "  "; // libedit would show it at the wrong width
+    else if (key.text[i] != '\r')
+      text += key.text[i];
+    else if (i + 1 == key.text.size() || key.text[i + 1] != '\n')
+      text += '\n';
   }
   key.text = std::move(text);
   return key;

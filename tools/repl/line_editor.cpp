@@ -4,17 +4,17 @@
 #include "tools/repl/key_reader.hpp"
 #include "tools/repl/terminal.hpp"
 
-#include <algorithm>
-#include <cstdio>
-#include <deque>
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <utility>
-
 #include <editline/readline.h>
 #include <fcntl.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace rt::tools {
 namespace {
@@ -26,11 +26,11 @@ enum PrivateKey : int {
   key_tab = '\t',
   key_interrupt_done = -1,
   key_end_of_line = 0x05,
-  key_quote = 0x16,       // the next key is inserted as it is, also a newline
+  key_quote = 0x16, // the next key is inserted as it is, also a newline
   key_up = 0x1c,
   key_down = 0x1d,
   key_clear_screen = 0x0c,
-  key_accept = 0x81,      // beyond ASCII, but below what libedit inserts as text
+  key_accept = 0x81, // beyond ASCII, but below what libedit inserts as text
   key_previous_entry = 0x82,
   key_next_entry = 0x83,
   key_previous_row = 0x84,
@@ -92,12 +92,18 @@ std::string indentation_after(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string) {
-      if (c == '\\') ++i;
-      else if (c == '"' || c == '\n') in_string = false;
-    } else if (c == '"') in_string = true;
-    else if (c == '/' && text.substr(i, 2) == "//") i = std::min(text.find('\n', i), text.size());
-    else if (c == '{' || c == '[' || c == '(') ++depth;
-    else if (c == '}' || c == ']' || c == ')') depth = std::max(0, depth - 1);
+      if (c == '\\')
+        ++i;
+      else if (c == '"' || c == '\n')
+        in_string = false;
+    } else if (c == '"')
+      in_string = true;
+    else if (c == '/' && text.substr(i, 2) == "//")
+      i = std::min(text.find('\n', i), text.size());
+    else if (c == '{' || c == '[' || c == '(')
+      ++depth;
+    else if (c == '}' || c == ']' || c == ')')
+      depth = std::max(0, depth - 1);
   }
   return std::string(static_cast<std::size_t>(depth) * 2, ' ');
 }
@@ -146,12 +152,17 @@ private:
   static inline Keys* current = nullptr;
 
   static void bind() {
-    rl_add_defun("rtlang-enter", [](int, int) { return current->enter(); }, key_enter);
-    rl_add_defun("rtlang-complete", [](int, int) { return current->complete(); }, key_tab);
-    rl_add_defun("rtlang-up", [](int, int) { return current->up(); }, key_up);
-    rl_add_defun("rtlang-down", [](int, int) { return current->down(); }, key_down);
+    rl_add_defun(
+        "rtlang-enter", [](int, int) { return current->enter(); }, key_enter);
+    rl_add_defun(
+        "rtlang-complete", [](int, int) { return current->complete(); }, key_tab);
+    rl_add_defun(
+        "rtlang-up", [](int, int) { return current->up(); }, key_up);
+    rl_add_defun(
+        "rtlang-down", [](int, int) { return current->down(); }, key_down);
     for (const int bracket : {'}', ']', ')'})
-      rl_add_defun("rtlang-close", [](int, int key) { return current->close(key); }, bracket);
+      rl_add_defun(
+          "rtlang-close", [](int, int key) { return current->close(key); }, bracket);
     for (const char* line : {"bind '\\201' ed-newline", "bind '\\202' ed-prev-history", "bind '\\203' ed-next-history",
                              "bind '\\204' ed-prev-line", "bind '\\205' ed-next-line", "bind '\\206' ed-next-char",
                              "bind '\\207' em-kill-line", "bind '\\210' ed-start-over"})
@@ -159,9 +170,10 @@ private:
   }
 
   // libedit keeps a pointer to the line's bytes (`rl_line_buffer`, into which it also writes), and looks up where they
-  // are only when the line must grow. But each key may move them: what is encoded is all that ever stood in the line, up
-  // to its first NUL. So at first there are as many bytes as there can be, from the longest characters there are, and
-  // then, in an empty line, so many short ones that it must grow: the bytes' place that is looked up then is their last.
+  // are only when the line must grow. But each key may move them: what is encoded is all that ever stood in the line,
+  // up to its first NUL. So at first there are as many bytes as there can be, from the longest characters there are,
+  // and then, in an empty line, so many short ones that it must grow: the bytes' place that is looked up then is their
+  // last.
   static void reserve_bytes() {
     std::string filler;
     while (filler.size() < 4 * longest_line) filler += "\U0001f642";
@@ -201,25 +213,40 @@ private:
   void take(const Key& key) {
     switch (key.kind) {
     case Key::Kind::character:
-      if (static_cast<std::size_t>(rl_end) + 8 > longest_line) write_all("\a");
-      else type(key.code == '\n' ? key_enter : static_cast<int>(key.code));
+      if (static_cast<std::size_t>(rl_end) + 8 > longest_line)
+        write_all("\a");
+      else
+        type(key.code == '\n' ? key_enter : static_cast<int>(key.code));
       break;
-    case Key::Kind::up: type(key_up); break;
-    case Key::Kind::down: type(key_down); break;
-    case Key::Kind::new_row: type_text("\n"); break;
-    case Key::Kind::paste: take_pasted(key.text); break;
+    case Key::Kind::up:
+      type(key_up);
+      break;
+    case Key::Kind::down:
+      type(key_down);
+      break;
+    case Key::Kind::new_row:
+      type_text("\n");
+      break;
+    case Key::Kind::paste:
+      take_pasted(key.text);
+      break;
     case Key::Kind::interrupt:
       end_ = End::interrupted;
       type(key_end_of_line);
       type(key_interrupt_done);
       break;
-    case Key::Kind::end: type(key_interrupt_done); break;
-    case Key::Kind::nothing: break;
+    case Key::Kind::end:
+      type(key_interrupt_done);
+      break;
+    case Key::Kind::nothing:
+      break;
     case Key::Kind::resize:
       rl_resize_terminal();
       redraw("");
       break;
-    case Key::Kind::wake: wake(); break;
+    case Key::Kind::wake:
+      wake();
+      break;
     }
   }
 
@@ -331,7 +358,9 @@ LineEditor::LineEditor(LineEditorHooks hooks, std::string history_path)
 
 LineEditor::~LineEditor() = default;
 
-std::string LineEditor::ask(std::string_view question, char last) { return keys_->reader().ask(question, last); }
+std::string LineEditor::ask(std::string_view question, char last) {
+  return keys_->reader().ask(question, last);
+}
 
 LineEditor::Line LineEditor::read(std::string_view prompt) {
   keys_->begin();

@@ -22,14 +22,14 @@ struct LineEditorHooks {
   std::function<Completion(std::string_view text, std::size_t cursor)> complete;
   /// Before every key.
   std::function<void()> on_key;
-  /// When `wake_fd` (-1: none) becomes readable while the editor waits for a key: reads from it, and returns what to write
-  /// above the prompt.
+  /// When `wake_fd` (-1: none) becomes readable while the editor waits for a key: reads from it, and returns what to
+  /// write above the prompt.
   int wake_fd = -1;
   std::function<std::string()> on_wake;
 };
 
-/// Lines typed at a terminal, edited with the usual keys, with history and completion; a line may be several rows of text.
-/// At most one editor exists at a time: libedit's readline interface keeps its state in globals.
+/// Lines typed at a terminal, edited with the usual keys, with history and completion; a line may be several rows of
+/// text. At most one editor exists at a time: libedit's readline interface keeps its state in globals.
 class LineEditor {
 public:
   enum class End { line, interrupted, end_of_input };
@@ -38,8 +38,8 @@ public:
     std::string text; ///< without the final newline
   };
 
-  /// Takes standard input and output, which must be a terminal. History is read from `history_path` (empty: none) and each
-  /// line is added to it as soon as it is accepted, so that a killed program loses none.
+  /// Takes standard input and output, which must be a terminal. History is read from `history_path` (empty: none) and
+  /// each line is added to it as soon as it is accepted, so that a killed program loses none.
   LineEditor(LineEditorHooks hooks, std::string history_path);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;

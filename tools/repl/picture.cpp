@@ -2,14 +2,14 @@
 
 #include "renderer/math/color.hpp"
 
+#include <chafa.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <vector>
-
-#include <chafa.h>
-#include <fmt/format.h>
-#include <unistd.h>
 
 namespace rt::tools {
 namespace {
@@ -40,7 +40,8 @@ ChafaCanvasMode detect_colors(const ChafaTermInfo* info) {
   const std::string_view color = environment("COLORTERM");
   if (color == "truecolor" || color == "24bit") return CHAFA_CANVAS_MODE_TRUECOLOR;
   const std::string_view name = environment("TERM");
-  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_DIRECT) && name.find("256") == std::string_view::npos)
+  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_DIRECT) &&
+      name.find("256") == std::string_view::npos)
     return CHAFA_CANVAS_MODE_TRUECOLOR;
   if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_256)) return CHAFA_CANVAS_MODE_INDEXED_240;
   return CHAFA_CANVAS_MODE_INDEXED_16;
@@ -48,11 +49,15 @@ ChafaCanvasMode detect_colors(const ChafaTermInfo* info) {
 
 ChafaPixelMode pixel_mode(Graphics graphics) {
   switch (graphics) {
-  case Graphics::sixel: return CHAFA_PIXEL_MODE_SIXELS;
-  case Graphics::kitty: return CHAFA_PIXEL_MODE_KITTY;
-  case Graphics::iterm2: return CHAFA_PIXEL_MODE_ITERM2;
+  case Graphics::sixel:
+    return CHAFA_PIXEL_MODE_SIXELS;
+  case Graphics::kitty:
+    return CHAFA_PIXEL_MODE_KITTY;
+  case Graphics::iterm2:
+    return CHAFA_PIXEL_MODE_ITERM2;
   case Graphics::half_blocks:
-  case Graphics::text: break;
+  case Graphics::text:
+    break;
   }
   return CHAFA_PIXEL_MODE_SYMBOLS;
 }
@@ -88,7 +93,10 @@ std::vector<std::uint8_t> encode(const Film& film) {
 // beginning by itself.
 std::string framed(std::string_view picture, int rows) {
   const std::string room(static_cast<std::size_t>(rows), '\n');
-  return fmt::format("{}\x1b[{}A\x1b" "7{}\x1b" "8\x1b[{}B\r", room, rows, picture, rows);
+  return fmt::format("{}\x1b[{}A\x1b"
+                     "7{}\x1b"
+                     "8\x1b[{}B\r",
+                     room, rows, picture, rows);
 }
 
 // What a pixel on the screen measures, where the terminal does not say: the shape of most fonts.
@@ -107,7 +115,9 @@ bool has_sixels(std::string_view attributes) {
   return false;
 }
 
-void PicturePrinter::Release::operator()(ChafaTermInfo* info) const { chafa_term_info_unref(info); }
+void PicturePrinter::Release::operator()(ChafaTermInfo* info) const {
+  chafa_term_info_unref(info);
+}
 
 PicturePrinter::PicturePrinter(bool is_terminal) {
   ChafaTermDb* db = chafa_term_db_get_default();
@@ -172,9 +182,10 @@ std::string PicturePrinter::print(const Film& film, const PictureExtent& extent)
     chafa_canvas_config_set_canvas_mode(config.get(), CHAFA_CANVAS_MODE_FGBG);
     chafa_canvas_config_set_dither_mode(config.get(), CHAFA_DITHER_MODE_DIFFUSION);
   } else {
-    chafa_symbol_map_add_by_tags(symbols.get(), static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_VHALF | CHAFA_SYMBOL_TAG_SPACE));
-    chafa_canvas_config_set_canvas_mode(
-        config.get(), has_pixels ? CHAFA_CANVAS_MODE_TRUECOLOR : static_cast<ChafaCanvasMode>(color_mode_));
+    chafa_symbol_map_add_by_tags(symbols.get(),
+                                 static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_VHALF | CHAFA_SYMBOL_TAG_SPACE));
+    chafa_canvas_config_set_canvas_mode(config.get(), has_pixels ? CHAFA_CANVAS_MODE_TRUECOLOR
+                                                                 : static_cast<ChafaCanvasMode>(color_mode_));
   }
   chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
 

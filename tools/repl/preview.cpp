@@ -1,14 +1,14 @@
 #include "tools/repl/preview.hpp"
 
+#include <fmt/format.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
-
-#include <fmt/format.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
 
 namespace rt::tools {
 

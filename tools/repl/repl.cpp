@@ -13,15 +13,15 @@
 #include "tools/rtlang/help.hpp"
 #include "tools/rtlang/interrupt.hpp"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <clocale>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <istream>
-
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-#include <unistd.h>
 
 namespace rt::tools {
 namespace {
@@ -36,11 +36,12 @@ void use_utf8() {
   if (!std::setlocale(LC_CTYPE, "") || MB_CUR_MAX == 1) std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
-bool is_complete_input(std::string_view text) { return is_command(text) || lang::is_complete(text); }
+bool is_complete_input(std::string_view text) {
+  return is_command(text) || lang::is_complete(text);
+}
 
 std::string banner() {
-  return fmt::format("rtlang {}: type a thing, see it with :show, ask for :help, end with Ctrl-D.\n",
-                     version_number());
+  return fmt::format("rtlang {}: type a thing, see it with :show, ask for :help, end with Ctrl-D.\n", version_number());
 }
 
 std::string offer(const AbandonedSession& session) {
@@ -54,12 +55,12 @@ class Terminal {
 public:
   explicit Terminal(const ReplOptions& options)
       : state_(state_folder()), shell_(shell_options(options, state_), {print, print, takes_color()}),
-        preview_(shell_.printer()),
-        editor_(hooks(), state_.empty() ? "" : state_ + "/history") {}
+        preview_(shell_.printer()), editor_(hooks(), state_.empty() ? "" : state_ + "/history") {}
 
   int run(const ReplOptions& options) {
     const QuietTerminal quiet;
-    if (shell_.printer().wants_to_ask() && has_sixels(editor_.ask(attributes_query, 'c'))) shell_.printer().use_sixels();
+    if (shell_.printer().wants_to_ask() && has_sixels(editor_.ask(attributes_query, 'c')))
+      shell_.printer().use_sixels();
     print(banner());
     if (shell_.abandoned()) print(offer(*shell_.abandoned()));
     if (!options.scene.empty()) shell_.run(fmt::format(":load \"{}\"", options.scene));
@@ -137,8 +138,9 @@ private:
 };
 
 int run_script(const ReplOptions& options) {
-  Shell shell({options.load, std::filesystem::current_path().string(), "", false},
-              {[](std::string_view text) { rt::tools::print(text); }, [](std::string_view text) { print_error(text); }, false});
+  Shell shell(
+      {options.load, std::filesystem::current_path().string(), "", false},
+      {[](std::string_view text) { rt::tools::print(text); }, [](std::string_view text) { print_error(text); }, false});
   bool is_fine = options.scene.empty() || shell.run(fmt::format(":load \"{}\"", options.scene));
   LineInput input;
   std::string pending;

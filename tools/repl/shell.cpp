@@ -5,12 +5,12 @@
 #include "tools/repl/swatch.hpp"
 #include "tools/rtlang/interrupt.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
@@ -28,8 +28,10 @@ const ShellCommand* meant_command(std::string_view input) {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto end = static_cast<std::size_t>(std::find_if_not(input.begin(), input.end(), is_letter) - input.begin());
   std::string_view word = input.substr(0, end);
-  if (input == "?") word = "help";
-  else if (end < input.size() && (input[end] != ' ' || (!is_letter(input[end + 1]) && input[end + 1] != '/'))) return nullptr;
+  if (input == "?")
+    word = "help";
+  else if (end < input.size() && (input[end] != ' ' || (!is_letter(input[end + 1]) && input[end + 1] != '/')))
+    return nullptr;
   if (word == "exit") word = "quit";
   for (const auto table : {picture_commands(), document_commands(), question_commands(), general_commands()})
     for (const ShellCommand& command : table)
@@ -71,7 +73,8 @@ bool Shell::run_statements(std::string_view input) {
   const lang::SessionResult result = session_.submit(input);
   if (!result.is_accepted)
     if (const ShellCommand* command = meant_command(input))
-      return fail(fmt::format("that is a command, and a command begins with a colon: `:{}` ({})", command->name, command->summary));
+      return fail(fmt::format("that is a command, and a command begins with a colon: `:{}` ({})", command->name,
+                              command->summary));
   return report(result);
 }
 
@@ -88,7 +91,8 @@ Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>*
   const scene::Scene& scene = session_.scene();
   if (!traceable_ || traced_version_ != session_.version()) {
     std::vector<Part> parts;
-    for (const lang::SceneStretch& stretch : session_.stretches()) parts.push_back({stretch.begin, stretch.end, stretch.stamp});
+    for (const lang::SceneStretch& stretch : session_.stretches())
+      parts.push_back({stretch.begin, stretch.end, stretch.stamp});
     traceable_.reset();
     traceable_.emplace(scene, parts, cache_);
     traced_version_ = session_.version();
@@ -97,7 +101,8 @@ Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>*
   options.layers = settings.layers;
   options.stop = stop;
   options.on_progress = std::move(on_progress);
-  return rt::render(*traceable_, {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
+  return rt::render(*traceable_,
+                    {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
                     options);
 }
 
@@ -150,7 +155,8 @@ bool Shell::recover() {
       return fail(fmt::format("the session goes on from what came before; all of it is in {}", session.path));
   std::filesystem::remove(session.path, error);
   print(dim(fmt::format("{} {} brought back", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
-            output_.uses_color) + "\n");
+            output_.uses_color) +
+        "\n");
   return true;
 }
 

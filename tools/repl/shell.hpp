@@ -18,7 +18,7 @@ namespace rt::tools {
 
 /// Where a session's words go.
 struct ShellOutput {
-  std::function<void(std::string_view)> print; ///< answers
+  std::function<void(std::string_view)> print;    ///< answers
   std::function<void(std::string_view)> complain; ///< diagnostics and what went wrong
   bool uses_color = false;
 };
@@ -30,8 +30,8 @@ struct ShellOptions {
   bool is_interactive = false; ///< a person sits there: small talk is welcome
 };
 
-/// A session with its commands: takes complete inputs and answers them, without reading keys or knowing a terminal beyond
-/// its size.
+/// A session with its commands: takes complete inputs and answers them, without reading keys or knowing a terminal
+/// beyond its size.
 class Shell {
 public:
   Shell(const ShellOptions& options, ShellOutput output);

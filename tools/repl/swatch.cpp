@@ -1,15 +1,17 @@
 #include "tools/repl/swatch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include <fmt/format.h>
-
 namespace rt::tools {
 namespace {
 
-int to_byte(double linear) { return static_cast<int>(std::lround(linear_to_srgb(std::clamp(linear, 0.0, 1.0)) * 255)); }
+int to_byte(double linear) {
+  return static_cast<int>(std::lround(linear_to_srgb(std::clamp(linear, 0.0, 1.0)) * 255));
+}
 
 bool has_direct_colors() {
   const char* value = std::getenv("COLORTERM");
@@ -17,7 +19,9 @@ bool has_direct_colors() {
 }
 
 // The nearest of the 6 × 6 × 6 colours that all terminals of 256 colours have; their steps are 0, 95, 135, … 255.
-int to_cube(int byte) { return byte < 48 ? 0 : byte < 115 ? 1 : (byte - 35) / 40; }
+int to_cube(int byte) {
+  return byte < 48 ? 0 : byte < 115 ? 1 : (byte - 35) / 40;
+}
 
 } // namespace
 

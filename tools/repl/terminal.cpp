@@ -2,6 +2,10 @@
 
 #include "tools/rtlang/interrupt.hpp"
 
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -9,10 +13,6 @@
 #include <cstring>
 #include <string_view>
 #include <system_error>
-
-#include <fcntl.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace rt::tools {
 namespace {
@@ -73,8 +73,12 @@ QuietTerminal::~QuietTerminal() {
   if (is_set_) tcsetattr(STDIN_FILENO, TCSADRAIN, &original_);
 }
 
-BracketedPaste::BracketedPaste() { send("\x1b[?2004h"); }
-BracketedPaste::~BracketedPaste() { send("\x1b[?2004l"); }
+BracketedPaste::BracketedPaste() {
+  send("\x1b[?2004h");
+}
+BracketedPaste::~BracketedPaste() {
+  send("\x1b[?2004l");
+}
 
 // Where no terminal is listened to, the program's own listening counts, and its flag stays.
 InterruptScope::InterruptScope() {
@@ -85,11 +89,15 @@ InterruptScope::~InterruptScope() {
   --interrupt_scopes;
   if (pipe_read_end >= 0 && interrupt_scopes == 0) set_stop(false);
 }
-const std::atomic<bool>& InterruptScope::stop() const { return stop_flag(); }
+const std::atomic<bool>& InterruptScope::stop() const {
+  return stop_flag();
+}
 
 namespace detail {
 
-int signal_pipe() { return pipe_read_end; }
+int signal_pipe() {
+  return pipe_read_end;
+}
 
 void listen_to_terminal_signals() {
   std::array<int, 2> ends{};

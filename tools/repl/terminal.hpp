@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
-
 #include <termios.h>
+
+#include <atomic>
 
 namespace rt::tools {
 
@@ -16,8 +16,8 @@ TerminalSize terminal_size();
 /// Standard input and output are a terminal that can move its cursor.
 bool is_interactive();
 
-/// Between two lines the terminal neither echoes nor waits for whole lines, so that what is typed ahead waits in silence.
-/// Its own mode comes back at the end.
+/// Between two lines the terminal neither echoes nor waits for whole lines, so that what is typed ahead waits in
+/// silence. Its own mode comes back at the end.
 class QuietTerminal {
 public:
   QuietTerminal();

@@ -2,14 +2,16 @@
 
 #include "renderer/image/file.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <exception>
 
-#include <unistd.h>
-
 namespace rt::tools {
 
-void print(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
+void print(std::string_view text) {
+  write_all(STDOUT_FILENO, text, "standard output");
+}
 
 void print_error(std::string_view text) noexcept {
   try {
@@ -18,7 +20,9 @@ void print_error(std::string_view text) noexcept {
   }
 }
 
-bool error_is_terminal() { return ::isatty(STDERR_FILENO) != 0; }
+bool error_is_terminal() {
+  return ::isatty(STDERR_FILENO) != 0;
+}
 
 namespace {
 
@@ -31,8 +35,12 @@ bool colors_are_wanted() {
 
 } // namespace
 
-bool error_takes_color() { return error_is_terminal() && colors_are_wanted(); }
+bool error_takes_color() {
+  return error_is_terminal() && colors_are_wanted();
+}
 
-bool output_takes_color() { return ::isatty(STDOUT_FILENO) != 0 && colors_are_wanted(); }
+bool output_takes_color() {
+  return ::isatty(STDOUT_FILENO) != 0 && colors_are_wanted();
+}
 
 } // namespace rt::tools

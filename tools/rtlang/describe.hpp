@@ -8,11 +8,12 @@
 /// renderer/scene and renderer/shapes: a new one appears by itself, and a new kind of step, paint or light that is not
 /// handled here does not compile.
 ///
-/// A `Sink` has begin_object, end_object, begin_array, end_array, key(name), number(double), boolean(bool), string(text)
-/// and `has_origins`, which says whether it wants to know where things were written.
+/// A `Sink` has begin_object, end_object, begin_array, end_array, key(name), number(double), boolean(bool),
+/// string(text) and `has_origins`, which says whether it wants to know where things were written.
 namespace rt::tools {
 
-template <class Sink> class Describer {
+template <class Sink>
+class Describer {
 public:
   Describer(const scene::Scene& scene, Sink& sink) : scene_(scene), sink_(sink) {}
 
@@ -65,7 +66,8 @@ private:
     for (const double value : values) sink_.number(value);
     sink_.end_array();
   }
-  template <class T, class F> void list(std::string_view key, const std::vector<T>& items, F&& f) {
+  template <class T, class F>
+  void list(std::string_view key, const std::vector<T>& items, F&& f) {
     sink_.key(key);
     sink_.begin_array();
     for (const T& item : items) f(item);
@@ -111,24 +113,32 @@ private:
 
   static std::string_view name_of(scene::Fade::Law law) {
     switch (law) {
-    case scene::Fade::Law::none: return "none";
-    case scene::Fade::Law::linear: return "linear";
-    case scene::Fade::Law::quadratic: return "quadratic";
-    case scene::Fade::Law::inverse_square: return "inverse_square";
+    case scene::Fade::Law::none:
+      return "none";
+    case scene::Fade::Law::linear:
+      return "linear";
+    case scene::Fade::Law::quadratic:
+      return "quadratic";
+    case scene::Fade::Law::inverse_square:
+      return "inverse_square";
     }
     return "";
   }
   static std::string_view name_of(scene::Combination::Operation operation) {
     switch (operation) {
-    case scene::Combination::Operation::unite: return "union";
-    case scene::Combination::Operation::intersect: return "intersection";
-    case scene::Combination::Operation::subtract: return "difference";
+    case scene::Combination::Operation::unite:
+      return "union";
+    case scene::Combination::Operation::intersect:
+      return "intersection";
+    case scene::Combination::Operation::subtract:
+      return "difference";
     }
     return "";
   }
   static std::string_view name_of(scene::PatternKind kind) {
     switch (kind) {
-    case scene::PatternKind::checker: return "checker";
+    case scene::PatternKind::checker:
+      return "checker";
     }
     return "";
   }
@@ -150,7 +160,8 @@ private:
   void members(const scene::ShearStep& s) {
     sink_.key("shear");
     sink_.begin_object();
-    number("xy", s.xy), number("xz", s.xz), number("yx", s.yx), number("yz", s.yz), number("zx", s.zx), number("zy", s.zy);
+    number("xy", s.xy), number("xz", s.xz), number("yx", s.yx), number("yz", s.yz), number("zx", s.zx),
+        number("zy", s.zy);
     sink_.end_object();
     vector("about", s.about);
   }
@@ -219,10 +230,13 @@ private:
       // Groups and combinations may be shared: they stand in lists of their own.
       if constexpr (std::is_same_v<Shape, scene::Group> || std::is_same_v<Shape, scene::Combination>)
         number("index", o.shape.index);
-      else fields(scene::fields(&shape), &shape);
+      else
+        fields(scene::fields(&shape), &shape);
     });
-    if (o.turn != scene::no_turn) placement(scene::placement(scene_, o));
-    else vector("at", o.at);
+    if (o.turn != scene::no_turn)
+      placement(scene::placement(scene_, o));
+    else
+      vector("at", o.at);
     if (o.material != scene::no_material) number("material", static_cast<double>(o.material));
     name(o.name);
     if (!o.is_visible) sink_.key("visible"), sink_.boolean(false);

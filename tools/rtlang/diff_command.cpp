@@ -7,13 +7,13 @@
 #include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/gate_arguments.hpp"
 
-#include <cmath>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace rt::tools {
 namespace {
@@ -62,34 +62,47 @@ std::vector<std::optional<double>> bounds(const std::vector<Measure>& all, const
   return result;
 }
 
-bool holds(const Measure& m, double bound) { return m.at_least ? m.value >= bound : m.value <= bound; }
+bool holds(const Measure& m, double bound) {
+  return m.at_least ? m.value >= bound : m.value <= bound;
+}
 
-std::string as_text(const std::vector<Measure>& all, const std::vector<std::optional<double>>& gates, const Difference& d) {
+std::string as_text(const std::vector<Measure>& all, const std::vector<std::optional<double>>& gates,
+                    const Difference& d) {
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Measure& m = all[i];
-    const std::string gate = gates[i] ? fmt::format("{} {:<8.4g} {}", m.at_least ? "≥" : "≤", *gates[i], holds(m, *gates[i]) ? "holds" : "FAILS") : "";
+    const std::string gate = gates[i] ? fmt::format("{} {:<8.4g} {}", m.at_least ? "≥" : "≤", *gates[i],
+                                                    holds(m, *gates[i]) ? "holds" : "FAILS")
+                                      : "";
     text += fmt::format("{:<10} {:>12.6g}  {:<16}  {}\n", m.name, m.value, gate, m.meaning);
   }
   if (d.color_max > 0) text += fmt::format("The largest difference is at ({}, {}).\n", d.color_max_x, d.color_max_y);
   return text;
 }
 
-std::string as_json(const std::vector<Measure>& all, const std::vector<std::optional<double>>& gates, const Difference& d, bool good) {
+std::string as_json(const std::vector<Measure>& all, const std::vector<std::optional<double>>& gates,
+                    const Difference& d, bool good) {
   nlohmann::json measures = nlohmann::json::object();
   for (std::size_t i = 0; i < all.size(); ++i) {
     nlohmann::json& entry = measures[std::string(all[i].name)];
     entry["value"] = std::isfinite(all[i].value) ? nlohmann::json(all[i].value) : nlohmann::json(nullptr);
-    if (gates[i]) entry[all[i].at_least ? "at_least" : "at_most"] = *gates[i], entry["holds"] = holds(all[i], *gates[i]);
+    if (gates[i])
+      entry[all[i].at_least ? "at_least" : "at_most"] = *gates[i], entry["holds"] = holds(all[i], *gates[i]);
   }
-  return nlohmann::json{{"size", {d.width, d.height}}, {"holds", good}, {"measures", measures}, {"largest_at", {d.color_max_x, d.color_max_y}}}.dump(2) + "\n";
+  return nlohmann::json{{"size", {d.width, d.height}},
+                        {"holds", good},
+                        {"measures", measures},
+                        {"largest_at", {d.color_max_x, d.color_max_y}}}
+             .dump(2) +
+         "\n";
 }
 
 int run_diff(const Arguments& arguments) {
   const Transfer assumed = arguments.is_linear ? Transfer::linear : Transfer::srgb;
   const Image a = read_image(arguments.a, assumed), b = read_image(arguments.b, assumed);
   if (a.width != b.width || a.height != b.height) {
-    print_error(fmt::format("rtlang: the pictures have different sizes: {} x {} and {} x {}\n", a.width, a.height, b.width, b.height));
+    print_error(fmt::format("rtlang: the pictures have different sizes: {} x {} and {} x {}\n", a.width, a.height,
+                            b.width, b.height));
     return exit_scene_is_wrong;
   }
   const Difference d = difference(a, b);
@@ -112,12 +125,18 @@ Action declare_diff(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   app.add_option("A", arguments->a, "a picture: png, exr, ppm or pfm")->required()->group("");
   app.add_option("B", arguments->b, "another of the same size")->required()->group("");
-  app.add_option("-o,--output", arguments->heat, "writes a map of the differences, logarithmic from 1e-8 to 1")->type_name("PICTURE");
-  app.add_option("--gate", arguments->gates, "what has to hold, in place of max=0; can be repeated")->type_name("NAME=VALUE")->allow_extra_args(false);
-  app.add_flag("--linear", arguments->is_linear, "whole numbers in a file that does not say what they mean are linear light, not sRGB");
+  app.add_option("-o,--output", arguments->heat, "writes a map of the differences, logarithmic from 1e-8 to 1")
+      ->type_name("PICTURE");
+  app.add_option("--gate", arguments->gates, "what has to hold, in place of max=0; can be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--linear", arguments->is_linear,
+               "whole numbers in a file that does not say what they mean are linear light, not sRGB");
   app.add_flag("--json", arguments->is_json, "prints the result as JSON");
-  app.footer("The exit code is 0 if every gate holds, 1 if not. Gates: max, equal, equal_8bit, rmse, psnr, ssim; and objects, depth,\n"
-             "normals where both pictures are exr files with layers. Measures \"as shown\" are of sRGB values from 0 to 1.");
+  app.footer(
+      "The exit code is 0 if every gate holds, 1 if not. Gates: max, equal, equal_8bit, rmse, psnr, ssim; and objects, "
+      "depth,\n"
+      "normals where both pictures are exr files with layers. Measures \"as shown\" are of sRGB values from 0 to 1.");
   return [arguments] { return run_diff(*arguments); };
 }
 

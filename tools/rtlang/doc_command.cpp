@@ -4,13 +4,13 @@
 #include "tools/rtlang/console.hpp"
 #include "tools/rtlang/exit_code.hpp"
 
-#include <algorithm>
-#include <memory>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
 
 namespace rt::tools {
 namespace {
@@ -44,7 +44,8 @@ int print_entry(const std::string& name) {
   for (const lang::ReferenceEntry& e : lang::reference()) owned.push_back(e.name);
   const std::vector<std::string_view> names(owned.begin(), owned.end());
   const auto nearest = lang::nearest(name, names);
-  throw UsageError(fmt::format("the language has no `{}`{}", name, nearest ? fmt::format(": did you mean `{}`?", *nearest) : ""));
+  throw UsageError(
+      fmt::format("the language has no `{}`{}", name, nearest ? fmt::format(": did you mean `{}`?", *nearest) : ""));
 }
 
 int run_doc(const DocArguments& arguments) {

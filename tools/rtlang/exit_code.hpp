@@ -4,8 +4,8 @@
 
 namespace rt::tools {
 
-/// What the program ends with. A signal that stopped it gives 128 and its number, so 130 after Ctrl-C, and a reader that
-/// closed the pipe gives 141, as for any other program.
+/// What the program ends with. A signal that stopped it gives 128 and its number, so 130 after Ctrl-C, and a reader
+/// that closed the pipe gives 141, as for any other program.
 enum ExitCode : int {
   exit_fine = 0,
   exit_scene_is_wrong = 1, ///< or, of commands that judge: what was asked for does not hold

@@ -4,13 +4,13 @@
 #include "tools/rtlang/console.hpp"
 #include "tools/rtlang/exit_code.hpp"
 
-#include <cctype>
-#include <memory>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+
+#include <cctype>
+#include <memory>
 
 namespace rt::tools {
 namespace {
@@ -33,7 +33,8 @@ int run_explain(std::string name) {
   std::vector<std::string_view> names;
   for (const lang::Code& code : codes) names.push_back(code.code);
   const auto nearest = lang::nearest(name, names);
-  throw UsageError(fmt::format("there is no code `{}`{}", name, nearest ? fmt::format(": did you mean {}?", *nearest) : ""));
+  throw UsageError(
+      fmt::format("there is no code `{}`{}", name, nearest ? fmt::format(": did you mean {}?", *nearest) : ""));
 }
 
 } // namespace

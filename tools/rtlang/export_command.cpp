@@ -30,8 +30,10 @@ int run_export(const Arguments& arguments) {
     print_error(fmt::format("error: {}\n{}", inexact.message, place.empty() ? "" : fmt::format("  --> {}\n", place)));
   }
   if (!exported.inexact.empty()) return exit_scene_is_wrong;
-  if (arguments.output.empty() || arguments.output == "-") print(exported.text);
-  else replace_file(arguments.output, exported.text);
+  if (arguments.output.empty() || arguments.output == "-")
+    print(exported.text);
+  else
+    replace_file(arguments.output, exported.text);
   return exit_fine;
 }
 
@@ -39,11 +41,13 @@ int run_export(const Arguments& arguments) {
 
 Action declare_export(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("-o,--output", arguments->output, "the file to write, standard output if none is given")->type_name("FILE");
+  app.add_option("-o,--output", arguments->output, "the file to write, standard output if none is given")
+      ->type_name("FILE");
   app.add_flag("!--no-comments", arguments->has_comments, "without the scene's names and lines");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("Writes the scene for POV-Ray 3.7, which computes the same picture from it. Nothing is written, and the exit code\n"
+  app.footer("Writes the scene for POV-Ray 3.7, which computes the same picture from it. Nothing is written, and the "
+             "exit code\n"
              "is 1, if the scene has something that POV-Ray cannot compute exactly; it is named.");
   return [arguments] { return run_export(*arguments); };
 }

@@ -6,13 +6,13 @@
 #include "tools/rtlang/interrupt.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
 
-#include <algorithm>
-#include <system_error>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
 
 namespace rt::tools {
 namespace {
@@ -23,8 +23,8 @@ struct Arguments {
   bool only_checks = false;
 };
 
-// All files of one run. One that cannot be formatted keeps none of the others from it; the worst of what became of them is
-// the exit code.
+// All files of one run. One that cannot be formatted keeps none of the others from it; the worst of what became of them
+// is the exit code.
 class Run {
 public:
   explicit Run(const Arguments& arguments) : arguments_(arguments), one_(*arguments.scene) {}
@@ -83,9 +83,10 @@ Action declare_fmt(CLI::App& app) {
   arguments->scene = add_text_arguments(app);
   app.remove_option(app.get_option("SCENE"));
   app.add_option("FILES", arguments->paths, "the scenes' files, - for standard input")->required()->group("Arguments");
-  app.footer("Each file is replaced by its formatted text, whole or not at all; - reads standard input and writes standard "
-             "output. Comments stay, and so does what the scene says. A file with syntax errors is left as it is. The exit "
-             "code is 1 for such a file, and with --check if any file would change.");
+  app.footer(
+      "Each file is replaced by its formatted text, whole or not at all; - reads standard input and writes standard "
+      "output. Comments stay, and so does what the scene says. A file with syntax errors is left as it is. The exit "
+      "code is 1 for such a file, and with --check if any file would change.");
   return [arguments] { return Run(*arguments).all(); };
 }
 

@@ -2,10 +2,10 @@
 
 #include "tools/rtlang/exit_code.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 
@@ -13,7 +13,8 @@ void set_gates(const std::vector<std::string>& given, const std::vector<NamedNum
   for (const std::string& text : given) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) throw UsageError(fmt::format("--gate takes NAME=VALUE, not `{}`", text));
-    const std::string_view name = std::string_view(text).substr(0, equals), value = std::string_view(text).substr(equals + 1);
+    const std::string_view name = std::string_view(text).substr(0, equals),
+                           value = std::string_view(text).substr(equals + 1);
     const auto found = std::find_if(known.begin(), known.end(), [&](const NamedNumber& n) { return n.name == name; });
     if (found == known.end()) {
       std::string names;

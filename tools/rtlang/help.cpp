@@ -1,11 +1,11 @@
 #include "tools/rtlang/help.hpp"
 
-#include <sstream>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+
+#include <sstream>
 
 namespace rt::tools {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t option_column = 28;
 constexpr std::size_t command_column = 12;
 
-/// Text in lines of up to 80 characters, broken at spaces; all but the first begin with `indent` spaces, and the first has
-/// that many less to go.
+/// Text in lines of up to 80 characters, broken at spaces; all but the first begin with `indent` spaces, and the first
+/// has that many less to go.
 std::string wrapped(const std::string& text, std::size_t indent = 0) {
   constexpr std::size_t width = 80;
   std::string result, word;
@@ -33,7 +33,8 @@ std::string wrapped(const std::string& text, std::size_t indent = 0) {
 /// Two columns, the right one over as many lines as it takes.
 std::string row(std::string_view left, const std::string& right, std::size_t column) {
   const bool fits = left.size() + 4 <= column;
-  return fmt::format("  {}{}{}", left, fits ? std::string(column - 2 - left.size(), ' ') : '\n' + std::string(column, ' '),
+  return fmt::format("  {}{}{}", left,
+                     fits ? std::string(column - 2 - left.size(), ' ') : '\n' + std::string(column, ' '),
                      wrapped(right, column));
 }
 
@@ -58,9 +59,13 @@ std::string options_of(const CLI::App& app, const std::string& group, const std:
 
 } // namespace
 
-std::string_view version_number() { return RTLANG_VERSION; }
+std::string_view version_number() {
+  return RTLANG_VERSION;
+}
 
-std::string version() { return fmt::format("rtlang {}\n", version_number()); }
+std::string version() {
+  return fmt::format("rtlang {}\n", version_number());
+}
 
 std::string help(const Subcommand& subcommand, const CLI::App& app) {
   std::string text = fmt::format("rtlang {}: {}\n\nUsage: rtlang {} {}\n", subcommand.name, subcommand.summary,
@@ -83,7 +88,7 @@ std::string help() {
   text += options_of(app, "Options", fmt::format("Options (rtlang {} --help lists all)", first.name));
   text += row("    --version", "prints the program's version", option_column);
   text += "\nCommands (rtlang COMMAND --help tells more):\n";
-  for (const Subcommand& subcommand : subcommands()) 
+  for (const Subcommand& subcommand : subcommands())
     text += row(subcommand.name, std::string(subcommand.summary), command_column);
   text += "\nExit code: 0 fine, 1 the scene is wrong, 2 the command line is wrong,\n"
           "3 the machine fails (disk, memory), 130 stopped by Ctrl-C\n";

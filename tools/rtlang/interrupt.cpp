@@ -36,11 +36,17 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-const std::atomic<bool>& stop_flag() { return stop; }
+const std::atomic<bool>& stop_flag() {
+  return stop;
+}
 
-void set_stop(bool is_wanted) noexcept { stop = is_wanted; }
+void set_stop(bool is_wanted) noexcept {
+  stop = is_wanted;
+}
 
-int stop_signal() { return signal_number; }
+int stop_signal() {
+  return signal_number;
+}
 
 EndsAtOnce::EndsAtOnce() {
   ends_at_once = true;
@@ -49,7 +55,9 @@ EndsAtOnce::EndsAtOnce() {
   throw Interrupted{};
 }
 
-EndsAtOnce::~EndsAtOnce() { ends_at_once = false; }
+EndsAtOnce::~EndsAtOnce() {
+  ends_at_once = false;
+}
 
 void throw_if_stopped() {
   if (stop) throw Interrupted{};

@@ -16,8 +16,8 @@ int stop_signal();
 /// For a session, which listens by itself and outlives what it is asked to stop. May be called in a signal handler.
 void set_stop(bool is_wanted) noexcept;
 
-/// While one of these lives, the first signal ends the program at once: for work that cannot be asked to stop, and would
-/// leave nothing half done behind. Throws Interrupted if a signal came before. Not for what a session listens to.
+/// While one of these lives, the first signal ends the program at once: for work that cannot be asked to stop, and
+/// would leave nothing half done behind. Throws Interrupted if a signal came before. Not for what a session listens to.
 class EndsAtOnce {
 public:
   EndsAtOnce();

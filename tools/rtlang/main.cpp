@@ -1,3 +1,5 @@
 #include "tools/rtlang/program.hpp"
 
-int main(int count, char** arguments) { return rt::tools::run({arguments + 1, arguments + count}); }
+int main(int count, char** arguments) {
+  return rt::tools::run({arguments + 1, arguments + count});
+}

@@ -6,16 +6,16 @@
 #include "tools/rtlang/help.hpp"
 #include "tools/rtlang/interrupt.hpp"
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <new>
 #include <regex>
 #include <system_error>
-
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {

@@ -3,10 +3,10 @@
 #include "tools/rtlang/console.hpp"
 #include "tools/rtlang/quantity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {

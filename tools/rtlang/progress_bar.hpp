@@ -10,7 +10,8 @@ namespace rt::tools {
 /// time that is left if the rest takes as long as what is done.
 std::string progress_line(const Progress& progress);
 
-/// Shows that line on standard error and takes it away at the end of its own life. Nothing is shown of what is done at once.
+/// Shows that line on standard error and takes it away at the end of its own life. Nothing is shown of what is done at
+/// once.
 class ProgressBar {
 public:
   ProgressBar() = default;

@@ -1,10 +1,10 @@
 #include "tools/rtlang/quantity.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 

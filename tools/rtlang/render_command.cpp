@@ -13,23 +13,25 @@
 #include "tools/rtlang/scene_hash.hpp"
 #include "tools/rtlang/statistics.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <memory>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
 namespace rt::tools {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 struct RenderArguments {
   std::shared_ptr<SceneArguments> scene;
@@ -81,7 +83,8 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   const auto n = parse_numbers(text, ',', 4);
   const PixelRect rect{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   if (rect.x0 < 0 || rect.y0 < 0 || rect.x1 <= rect.x0 || rect.y1 <= rect.y0 || rect.x1 > size[0] || rect.y1 > size[1])
-    throw UsageError(fmt::format("--crop {} is no part of a picture of {}x{} (X1 and Y1 are not included)", text, size[0], size[1]));
+    throw UsageError(
+        fmt::format("--crop {} is no part of a picture of {}x{} (X1 and Y1 are not included)", text, size[0], size[1]));
   return rect;
 }
 
@@ -89,17 +92,23 @@ void write(const std::vector<Output>& list, const Film& film, int bits, const st
   for (const Output& output : list) {
     const std::string software = fmt::format("rtlang {}", version_number());
     const bool is_exr = output.format == ImageFormat::exr; // whose attributes have names in this style
-    EncodeOptions options{bits, {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}};
+    EncodeOptions options{bits,
+                          {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}};
     const std::string bytes = encode(film, output.format, options);
-    if (output.path == "-") print(bytes);
-    else replace_file(output.path, bytes);
+    if (output.path == "-")
+      print(bytes);
+    else
+      replace_file(output.path, bytes);
   }
 }
 
 void report(const RenderArguments& arguments, const RunStatistics& statistics) {
-  if (arguments.statistics == "json") print(json(statistics));
-  else if (arguments.statistics == "text") print_error(table(statistics));
-  else if (!arguments.scene->is_quiet && !arguments.scene->json_diagnostics) print_error(summary(statistics));
+  if (arguments.statistics == "json")
+    print(json(statistics));
+  else if (arguments.statistics == "text")
+    print_error(table(statistics));
+  else if (!arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
+    print_error(summary(statistics));
 }
 
 Rendered render_with_progress(const RenderArguments& arguments, const scene::Scene& scene, RenderOptions options) {
@@ -121,7 +130,8 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
 int run_render(const RenderArguments& arguments) {
   const Clock::time_point start = Clock::now();
   const std::vector<Output> list = outputs(arguments);
-  if (arguments.statistics == "json" && std::any_of(list.begin(), list.end(), [](const Output& o) { return o.path == "-"; }))
+  if (arguments.statistics == "json" &&
+      std::any_of(list.begin(), list.end(), [](const Output& o) { return o.path == "-"; }))
     throw UsageError("--stats json goes to standard output, where the picture is to go");
   require_folders(list);
 
@@ -168,9 +178,11 @@ Action declare_render(CLI::App& app) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   arguments->picture = add_picture_arguments(app);
-  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")->type_name("X0,Y0,X1,Y1")->check([](const std::string& text) {
-    return parse_numbers(text, ',', 4) ? "" : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
-  });
+  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")
+      ->type_name("X0,Y0,X1,Y1")
+      ->check([](const std::string& text) {
+        return parse_numbers(text, ',', 4) ? "" : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
+      });
   app.add_option("--bits", arguments->bits, "of a sample in .png and .ppm: 8 or 16")
       ->type_name("N")
       ->check(one_of({"8", "16"}));

@@ -1,11 +1,11 @@
 #include "tools/repl/repl.hpp"
 #include "tools/rtlang/commands.hpp"
 
-#include <memory>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
+#include <memory>
 
 namespace rt::tools {
 

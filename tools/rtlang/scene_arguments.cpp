@@ -7,17 +7,17 @@
 #include "tools/rtlang/interrupt.hpp"
 #include "tools/rtlang/quantity.hpp"
 
-#include <algorithm>
-#include <cerrno>
-#include <limits>
-#include <system_error>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <system_error>
 
 namespace rt::tools {
 namespace {
@@ -53,7 +53,8 @@ lang::Loaded load_named(const std::string& path, const lang::LoadOptions& option
 
 /// Adds an option for a limit, as a quantity with powers of `thousand`.
 template <class T>
-void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std::uint64_t thousand, const std::string& text) {
+void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std::uint64_t thousand,
+               const std::string& text) {
   app.add_option_function<std::string>(
          name,
          [&limit, thousand, name](const std::string& value) {
@@ -117,13 +118,16 @@ std::string read_text(const SceneArguments& arguments) {
   return arguments.path == "-" ? read_standard_input() : read_file(arguments.path);
 }
 
-void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMap& sources, const SceneArguments& arguments) {
+void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMap& sources,
+          const SceneArguments& arguments) {
   if (arguments.json_diagnostics) return print_error(lang::render_json(diagnostics, sources) + '\n');
   const bool use_color = error_takes_color();
   std::string text;
   for (const lang::Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.severity != lang::Severity::note) text += lang::render(diagnostic, sources, use_color);
-    else if (!arguments.is_quiet) text += fmt::format("note: {}\n", diagnostic.message);
+    if (diagnostic.severity != lang::Severity::note)
+      text += lang::render(diagnostic, sources, use_color);
+    else if (!arguments.is_quiet)
+      text += fmt::format("note: {}\n", diagnostic.message);
   }
   print_error(text);
 }

@@ -16,7 +16,7 @@ namespace rt::tools {
 
 /// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --quiet and --diagnostics.
 struct SceneArguments {
-  std::string path; ///< "-" is standard input
+  std::string path;     ///< "-" is standard input
   std::string shown_as; ///< in the place of the path, where not empty
   std::string folder;   ///< what includes start from, where not empty
   std::vector<std::string> defines;
@@ -35,11 +35,12 @@ std::string shown_name(const SceneArguments& arguments);
 std::string read_text(const SceneArguments& arguments);
 
 /// Writes diagnostics to standard error: notes in a line each unless quiet, all of them as one array if JSON is wanted.
-void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMap& sources, const SceneArguments& arguments);
+void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMap& sources,
+          const SceneArguments& arguments);
 
-/// Text to scene description, with the diagnostics on standard error. Where one of them is an error, `scene` is empty and
-/// the exit code is exit_scene_is_wrong. Throws Interrupted when a signal asked to stop, UsageError for a define without `=`, std::system_error for a scene that
-/// cannot be read.
+/// Text to scene description, with the diagnostics on standard error. Where one of them is an error, `scene` is empty
+/// and the exit code is exit_scene_is_wrong. Throws Interrupted when a signal asked to stop, UsageError for a define
+/// without `=`, std::system_error for a scene that cannot be read.
 lang::Loaded load(const SceneArguments& arguments);
 
 /// The same, with nothing on standard error.

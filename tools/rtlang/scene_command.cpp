@@ -23,8 +23,10 @@ int run_scene(const Arguments& arguments) {
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
-  if (arguments.wants_hash) print(fmt::format("{}\n", scene_hash(*loaded.scene)));
-  else write_scene_json(*loaded.scene, print);
+  if (arguments.wants_hash)
+    print(fmt::format("{}\n", scene_hash(*loaded.scene)));
+  else
+    write_scene_json(*loaded.scene, print);
   return exit_fine;
 }
 
@@ -35,7 +37,8 @@ Action declare_scene(CLI::App& app) {
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
   app.add_flag("--hash", arguments->wants_hash, "prints only the hash that a picture of the scene carries");
-  app.footer("Numbers are exact, colours linear. Materials, patterns, groups and combinations are named by their index.");
+  app.footer(
+      "Numbers are exact, colours linear. Materials, patterns, groups and combinations are named by their index.");
   return [arguments] { return run_scene(*arguments); };
 }
 

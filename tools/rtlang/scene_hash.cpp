@@ -2,10 +2,10 @@
 
 #include "tools/rtlang/describe.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstring>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
@@ -33,8 +33,8 @@ public:
   std::uint64_t result() const { return mixed(state_); }
 
 private:
-  /// The finaliser of SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014): every bit of
-  /// the argument reaches every bit of the result, and no two arguments have the same one.
+  /// The finaliser of SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014): every bit
+  /// of the argument reaches every bit of the result, and no two arguments have the same one.
   static constexpr std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;

@@ -2,11 +2,11 @@
 
 #include "tools/rtlang/describe.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
@@ -88,8 +88,10 @@ private:
     text_ += '"';
     for (const char c : value) {
       if (c == '"' || c == '\\') text_ += '\\';
-      if (static_cast<unsigned char>(c) < 0x20) text_ += fmt::format("\\u{:04x}", static_cast<int>(c));
-      else text_ += c;
+      if (static_cast<unsigned char>(c) < 0x20)
+        text_ += fmt::format("\\u{:04x}", static_cast<int>(c));
+      else
+        text_ += c;
     }
     text_ += '"';
   }

@@ -29,14 +29,18 @@ double rays_per_second(const RenderStatistics& render) {
   return render.trace_seconds > 0 ? static_cast<double>(count_rays(render)) / render.trace_seconds : 0;
 }
 
-std::string bytes(std::uint64_t value) { return human(static_cast<double>(value)) + (value < 1000 ? " B" : "B"); }
+std::string bytes(std::uint64_t value) {
+  return human(static_cast<double>(value)) + (value < 1000 ? " B" : "B");
+}
 
 // "1 primitive", "20 primitives".
 std::string counted(std::uint64_t n, std::string_view noun) {
   return fmt::format("{} {}{}", human(static_cast<double>(n)), noun, n == 1 ? "" : "s");
 }
 
-std::string seconds(double value) { return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1); }
+std::string seconds(double value) {
+  return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1);
+}
 
 } // namespace
 
@@ -45,11 +49,10 @@ std::uint64_t count_rays(const RenderStatistics& s) {
 }
 
 std::string summary(const RunStatistics& s) {
-  return fmt::format("{}: {}×{}{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width, s.height,
-                     s.is_complete ? "" : ", stopped before it was whole",
-                     counted(s.render.primitives, "primitive"),
-                     human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
-                     human(rays_per_second(s.render)), seconds(s.total_seconds));
+  return fmt::format("{}: {}×{}{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
+                     s.height, s.is_complete ? "" : ", stopped before it was whole",
+                     counted(s.render.primitives, "primitive"), human(static_cast<double>(count_rays(s.render))),
+                     seconds(s.render.trace_seconds), human(rays_per_second(s.render)), seconds(s.total_seconds));
 }
 
 std::string table(const RunStatistics& s) {
@@ -57,15 +60,21 @@ std::string table(const RunStatistics& s) {
   const RenderStatistics& r = s.render;
   const auto count = [](std::uint64_t n) { return human(static_cast<double>(n)); };
   std::string text;
-  const auto row = [&](std::string_view name, const std::string& value) { text += fmt::format("{:<12}{}\n", name, value); };
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("{:<12}{}\n", name, value);
+  };
   row("scene", fmt::format("{} (hash {}), {}", s.scene, s.scene_hash, counted(r.primitives, "primitive")));
-  row("picture", fmt::format("{}×{}{}, {} a pixel: {}", s.width, s.height, s.is_complete ? "" : " (stopped before it was whole)", counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
-  row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
-                          count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
-  row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)), counted(static_cast<std::uint64_t>(r.threads), "thread")));
+  row("picture",
+      fmt::format("{}×{}{}, {} a pixel: {}", s.width, s.height, s.is_complete ? "" : " (stopped before it was whole)",
+                  counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
+  row("rays",
+      fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
+                  count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
+  row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)),
+                           counted(static_cast<std::uint64_t>(r.threads), "thread")));
   row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({} of text, {} steps)", seconds(s.load_seconds),
-                          seconds(s.load.parse_seconds), seconds(s.load.check_seconds), seconds(s.load.evaluate_seconds),
-                          bytes(s.load.bytes), count(s.load.steps)));
+                          seconds(s.load.parse_seconds), seconds(s.load.check_seconds),
+                          seconds(s.load.evaluate_seconds), bytes(s.load.bytes), count(s.load.steps)));
   row("render", fmt::format("build {}, trace {}", seconds(r.build_seconds), seconds(r.trace_seconds)));
   row("write", seconds(s.write_seconds));
   row("total", fmt::format("{} (CPU: {} user, {} system)", seconds(s.total_seconds), seconds(own.user_seconds),
@@ -96,10 +105,11 @@ std::string json(const RunStatistics& s) {
   j["rays_per_second"] = rays_per_second(r);
   j["source_bytes"] = s.load.bytes;
   j["steps"] = s.load.steps;
-  j["seconds"] = {{"parse", s.load.parse_seconds}, {"check", s.load.check_seconds}, {"evaluate", s.load.evaluate_seconds},
-                  {"load", s.load_seconds},        {"build", r.build_seconds},      {"trace", r.trace_seconds},
-                  {"write", s.write_seconds},      {"total", s.total_seconds},      {"cpu_user", own.user_seconds},
-                  {"cpu_system", own.system_seconds}};
+  j["seconds"] = {
+      {"parse", s.load.parse_seconds},   {"check", s.load.check_seconds}, {"evaluate", s.load.evaluate_seconds},
+      {"load", s.load_seconds},          {"build", r.build_seconds},      {"trace", r.trace_seconds},
+      {"write", s.write_seconds},        {"total", s.total_seconds},      {"cpu_user", own.user_seconds},
+      {"cpu_system", own.system_seconds}};
   j["peak_memory_bytes"] = own.peak_bytes;
   // A scene's name need not be UTF-8.
   return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';

@@ -1,19 +1,21 @@
-#include "tools/rtlang/subcommand.hpp"
-
 #include "tools/rtlang/commands.hpp"
+#include "tools/rtlang/subcommand.hpp"
 
 namespace rt::tools {
 
 std::span<const Subcommand> subcommands() {
   static constexpr Subcommand table[] = {
-      {"render", "SCENE [-o PICTURE]... [OPTIONS]", "makes a picture (the command's name may be left out)", declare_render},
+      {"render", "SCENE [-o PICTURE]... [OPTIONS]", "makes a picture (the command's name may be left out)",
+       declare_render},
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
       {"scene", "SCENE [OPTIONS]", "prints the scene's description as JSON", declare_scene},
       {"export", "SCENE [-o FILE] [OPTIONS]", "writes the scene for POV-Ray 3.7", declare_export},
       {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures how far two pictures are apart", declare_diff},
-      {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material", declare_probe},
-      {"why", "SCENE --pixel X,Y [OPTIONS]", "tells why it has its colour: rays, roots, terms, one sentence", declare_why},
+      {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material",
+       declare_probe},
+      {"why", "SCENE --pixel X,Y [OPTIONS]", "tells why it has its colour: rays, roots, terms, one sentence",
+       declare_why},
       {"lint", "SCENE [OPTIONS]", "warns of what is well formed and hardly meant", declare_lint},
       {"test", "SCENES... [OPTIONS]", "tries what the scenes expect of themselves", declare_test},
       {"fmt", "FILES... [--check]", "rewrites scenes in the house's layout", declare_fmt},

@@ -1,8 +1,8 @@
 #include "tools/ask/observer.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/console.hpp"
-#include "tools/rtlang/scene_arguments.hpp"
 #include "tools/rtlang/exit_code.hpp"
+#include "tools/rtlang/scene_arguments.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -21,7 +21,9 @@ struct Arguments {
 
 using json = nlohmann::ordered_json;
 
-bool is_error(const lang::Diagnostic& diagnostic) { return diagnostic.severity == lang::Severity::error; }
+bool is_error(const lang::Diagnostic& diagnostic) {
+  return diagnostic.severity == lang::Severity::error;
+}
 
 /// Errors and failures; what is remarked about a scene that can be read is no business of its tests.
 void tell(const lang::Loaded& loaded, const SceneArguments& arguments) {
@@ -53,11 +55,17 @@ int run_test(const Arguments& arguments) {
     passed += loaded.expectations.passed;
     failed += loaded.expectations.failed;
     if (!loaded.scene) ++broken;
-    if (arguments.is_json) scenes.push_back(to_json(shown_name(one), loaded));
-    else tell(loaded, one);
+    if (arguments.is_json)
+      scenes.push_back(to_json(shown_name(one), loaded));
+    else
+      tell(loaded, one);
   }
-  if (arguments.is_json) print(json{{"passed", passed}, {"failed", failed}, {"scenes", std::move(scenes)}}.dump(2) + "\n");
-  else print(fmt::format("{} passed, {} failed{}\n", passed, failed, broken == 0 ? "" : fmt::format(", {} in error", broken == 1 ? "1 scene" : fmt::format("{} scenes", broken))));
+  if (arguments.is_json)
+    print(json{{"passed", passed}, {"failed", failed}, {"scenes", std::move(scenes)}}.dump(2) + "\n");
+  else
+    print(fmt::format(
+        "{} passed, {} failed{}\n", passed, failed,
+        broken == 0 ? "" : fmt::format(", {} in error", broken == 1 ? "1 scene" : fmt::format("{} scenes", broken))));
   return failed == 0 && broken == 0 ? exit_fine : exit_scene_is_wrong;
 }
 

@@ -70,8 +70,12 @@ private:
 
 TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes from") {
   Random random;
-  for (const auto& [place, spread, size] : {std::tuple{0.0, 1.0, 1e-2}, {0.0, 1.0, 0.0}, {1e7, 1.0, 1e-3},
-                                            {0.0, 1e5, 1.0}, {0.0, 1e-20, 1e-22}, {1e20, 1e19, 1e17}}) {
+  for (const auto& [place, spread, size] : {std::tuple{0.0, 1.0, 1e-2},
+                                            {0.0, 1.0, 0.0},
+                                            {1e7, 1.0, 1e-3},
+                                            {0.0, 1e5, 1.0},
+                                            {0.0, 1e-20, 1e-22},
+                                            {1e20, 1e19, 1e17}}) {
     Boxes boxes;
     for (int i = 0; i < 300; ++i) {
       const Vec3 p = Vec3{place, -place, 2 * place} + random.vector(spread), half = abs(random.vector(size));

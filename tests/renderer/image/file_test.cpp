@@ -1,10 +1,5 @@
 #include "renderer/image/file.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <system_error>
-#include <vector>
-
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <signal.h>
@@ -12,6 +7,11 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 using namespace rt;
 namespace fs = std::filesystem;

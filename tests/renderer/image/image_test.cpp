@@ -1,13 +1,13 @@
 #include "renderer/image/image.hpp"
 
+#include <catch2/catch.hpp>
+#include <png.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-
-#include <catch2/catch.hpp>
-#include <png.h>
 
 using namespace rt;
 using namespace std::string_literals;
@@ -64,23 +64,23 @@ std::vector<std::pair<std::string, std::string>> chunks(std::string_view png) {
 
 // 2 × 1 pixels rendered by POV-Ray 3.7 with File_Gamma=1.0: (0.25, 0.5, 1.75) and (0.125, 0.75, 0).
 constexpr std::string_view povray_png =
-      "89504e470d0a1a0a0000000d49484452000000020000000110020000002bd0349e0000000467414d41000186a031e8965f0000000373"
-      "42495410101058a3bd27000000096f464673000000000000000000da2ab6ce0000000774494d4507ea0b170f0a0fa0197e5500000024"
-      "74455874536f66747761726500504f562d52617920332e372e302e31302e756e6f6666696369616c7174e4590000005674455874436f"
-      "6d6d656e740052656e64657220446174653a20323032362d31312d32332031353a31303a31355a0a506c6174666f726d3a207838365f"
-      "36342d70632d6c696e75782d676e750a436f6d70696c65723a20672b2b0ae918c136000000154944415408996370606860f8ff5f8161"
-      "ff7f0606001db7049db953e6150000000049454e44ae426082";
+    "89504e470d0a1a0a0000000d49484452000000020000000110020000002bd0349e0000000467414d41000186a031e8965f0000000373"
+    "42495410101058a3bd27000000096f464673000000000000000000da2ab6ce0000000774494d4507ea0b170f0a0fa0197e5500000024"
+    "74455874536f66747761726500504f562d52617920332e372e302e31302e756e6f6666696369616c7174e4590000005674455874436f"
+    "6d6d656e740052656e64657220446174653a20323032362d31312d32332031353a31303a31355a0a506c6174666f726d3a207838365f"
+    "36342d70632d6c696e75782d676e750a436f6d70696c65723a20672b2b0ae918c136000000154944415408996370606860f8ff5f8161"
+    "ff7f0606001db7049db953e6150000000049454e44ae426082";
 constexpr std::string_view povray_exr =
-      "762f3101020000006368616e6e656c730063686c69737400370000004200010000000000000001000000010000004700010000000000"
-      "0000010000000100000052000100000000000000010000000100000000636f6d6d656e747300737472696e67002c000000506c617466"
-      "6f726d3a207838365f36342d70632d6c696e75782d676e750a436f6d70696c65723a20672b2b0a636f6d7072657373696f6e00636f6d"
-      "7072657373696f6e0001000000036372656174696f6e00737472696e670014000000323032362d31312d32332031353a31303a31345a"
-      "6461746157696e646f7700626f783269001000000000000000000000000100000000000000646973706c617957696e646f7700626f78"
-      "32690010000000000000000000000001000000000000006c696e654f72646572006c696e654f72646572000100000000706978656c41"
-      "7370656374526174696f00666c6f617400040000000000803f73637265656e57696e646f7743656e7465720076326600080000000000"
-      "00000000000073637265656e57696e646f77576964746800666c6f617400040000000000803f736f66747761726500737472696e6700"
-      "1b000000504f562d52617920332e372e302e31302e756e6f6666696369616c00d801000000000000000000000c000000003f00000038"
-      "003a00340030";
+    "762f3101020000006368616e6e656c730063686c69737400370000004200010000000000000001000000010000004700010000000000"
+    "0000010000000100000052000100000000000000010000000100000000636f6d6d656e747300737472696e67002c000000506c617466"
+    "6f726d3a207838365f36342d70632d6c696e75782d676e750a436f6d70696c65723a20672b2b0a636f6d7072657373696f6e00636f6d"
+    "7072657373696f6e0001000000036372656174696f6e00737472696e670014000000323032362d31312d32332031353a31303a31345a"
+    "6461746157696e646f7700626f783269001000000000000000000000000100000000000000646973706c617957696e646f7700626f78"
+    "32690010000000000000000000000001000000000000006c696e654f72646572006c696e654f72646572000100000000706978656c41"
+    "7370656374526174696f00666c6f617400040000000000803f73637265656e57696e646f7743656e7465720076326600080000000000"
+    "00000000000073637265656e57696e646f77576964746800666c6f617400040000000000803f736f66747761726500737472696e6700"
+    "1b000000504f562d52617920332e372e302e31302e756e6f6666696369616c00d801000000000000000000000c000000003f00000038"
+    "003a00340030";
 
 } // namespace
 
@@ -97,7 +97,8 @@ TEST_CASE("image: a file name's extension says which kind of picture it is") {
 }
 
 TEST_CASE("image: a png has the signature, header and chunks it should, and no time") {
-  const std::string png = encode(film(), ImageFormat::png, {.bits = 8, .text = {{"Software", "rtlang 1"}, {"Scene", "abc"}}});
+  const std::string png =
+      encode(film(), ImageFormat::png, {.bits = 8, .text = {{"Software", "rtlang 1"}, {"Scene", "abc"}}});
   REQUIRE(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
   const auto list = chunks(png);
   REQUIRE(list.front().first == "IHDR");
@@ -109,7 +110,8 @@ TEST_CASE("image: a png has the signature, header and chunks it should, and no t
     if (type == "tEXt") texts.push_back(data);
     if (type == "gAMA") CHECK(big_endian(data, 0) == 45455);
   }
-  CHECK_THAT(types, Catch::VectorContains("sRGB"s) && Catch::VectorContains("gAMA"s) && !Catch::VectorContains("tIME"s));
+  CHECK_THAT(types,
+             Catch::VectorContains("sRGB"s) && Catch::VectorContains("gAMA"s) && !Catch::VectorContains("tIME"s));
   CHECK(texts == std::vector<std::string>{"Software\0rtlang 1"s, "Scene\0abc"s});
 }
 
@@ -131,7 +133,7 @@ TEST_CASE("image: a ppm of eight and of sixteen bits holds exactly these bytes")
         "P6\n3 2\n255\n\x00\x76\xbc\xff\x7c\x19\xff\x00\xe1\x03\x00\x00\x00\xff\x00\x59\x7c\x95"s);
   Film one = film();
   one.width = one.height = 1;
-  one.color = {{0.001f, 0.18f, 0.5f}};                                                             // 847, 30235, 48192
+  one.color = {{0.001f, 0.18f, 0.5f}}; // 847, 30235, 48192
   CHECK(encode(one, ImageFormat::ppm, {.bits = 16, .text = {}}) == "P6\n1 1\n65535\n\x03\x4f\x76\x1b\xbc\x40"s);
 }
 
@@ -216,18 +218,20 @@ TEST_CASE("image: pictures of POV-Ray are read as the light that its scene emits
 // Made with another program's zlib; the lights are the standard's formula of code / 255.
 TEST_CASE("image: pngs of all kinds are read") {
   SECTION("grey of 16 bits, linear by its gAMA") {
-    const Image image = decode(from_hex("89504e470d0a1a0a0000000d494844520000000200000001100000000081d9fc150000000467414d41"
-                                        "000186a031e8965f0000000d49444154789c636860f8ff1f000502027f165ec4650000000049454e"
-                                        "44ae426082"),
-                               "x");
+    const Image image =
+        decode(from_hex("89504e470d0a1a0a0000000d494844520000000200000001100000000081d9fc150000000467414d41"
+                        "000186a031e8965f0000000d49444154789c636860f8ff1f000502027f165ec4650000000049454e"
+                        "44ae426082"),
+               "x");
     CHECK(image.color[0].g == Approx(0x8000 / 65535.0));
     CHECK(image.color[1].b == 1);
   }
   SECTION("a palette of two bits, sRGB by its chunk even where linear is assumed") {
-    const Image image = decode(from_hex("89504e470d0a1a0a0000000d49484452000000040000000102030000008452e75e0000000173524742"
-                                        "00aece1ce90000000c504c5445ff000000bc00000076ffffffcc435c490000000a49444154789c63"
-                                        "900600001d001c8ef4f5210000000049454e44ae426082"),
-                               "x", Transfer::linear);
+    const Image image =
+        decode(from_hex("89504e470d0a1a0a0000000d49484452000000040000000102030000008452e75e0000000173524742"
+                        "00aece1ce90000000c504c5445ff000000bc00000076ffffffcc435c490000000a49444154789c63"
+                        "900600001d001c8ef4f5210000000049454e44ae426082"),
+               "x", Transfer::linear);
     REQUIRE(image.width == 4);
     CHECK(image.color[0].r == 1);
     CHECK(image.color[1].g == Approx(0.5028864580325687));
@@ -235,23 +239,26 @@ TEST_CASE("image: pngs of all kinds are read") {
     CHECK(image.color[3].g == 1);
   }
   SECTION("RGBA of eight bits that does not say what it means") {
-    const std::string bytes = from_hex("89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c4890000000d49444154"
-                                       "789c63d853c6d5000004eb01bdc6d6588d0000000049454e44ae426082");
+    const std::string bytes =
+        from_hex("89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c4890000000d49444154"
+                 "789c63d853c6d5000004eb01bdc6d6588d0000000049454e44ae426082");
     CHECK(decode(bytes, "x").color[0].r == Approx(0.5028864580325687));
     CHECK(decode(bytes, "x").color[0].b == Approx(0.003035269835488375));
     CHECK(decode(bytes, "x", Transfer::linear).color[0].r == Approx(188 / 255.0));
   }
   SECTION("grey of eight bits with a gamma of 1 / 2.2") {
-    const Image image = decode(from_hex("89504e470d0a1a0a0000000d49484452000000010000000108000000003a7e9b550000000467414d41"
-                                        "0000b18f0bfc61050000000a49444154789c636800000082008177cd72b60000000049454e44ae42"
-                                        "6082"),
-                               "x");
+    const Image image =
+        decode(from_hex("89504e470d0a1a0a0000000d49484452000000010000000108000000003a7e9b550000000467414d41"
+                        "0000b18f0bfc61050000000a49444154789c636800000082008177cd72b60000000049454e44ae42"
+                        "6082"),
+               "x");
     CHECK(image.color[0].r == Approx(0.21952304667332076));
   }
 }
 
 TEST_CASE("image: ppm and pgm are read in text and in bytes, with comments and any greatest value") {
-  CHECK(decode("P3 # a comment\n2 1 # another\n15\n15 0 3  0 7 15\n", "x", Transfer::linear).color[1].g == Approx(7 / 15.0));
+  CHECK(decode("P3 # a comment\n2 1 # another\n15\n15 0 3  0 7 15\n", "x", Transfer::linear).color[1].g ==
+        Approx(7 / 15.0));
   CHECK(decode("P2\n1 1\n4\n1", "x", Transfer::linear).color[0].b == Approx(0.25));
   CHECK(decode("P5\n1 1\n255\n\x80"s, "x", Transfer::linear).color[0].g == Approx(128 / 255.0));
   CHECK(decode("P5\n1 1\n1000\n\x01\xf4"s, "x", Transfer::linear).color[0].g == Approx(0.5));

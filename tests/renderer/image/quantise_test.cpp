@@ -1,11 +1,10 @@
 #include "renderer/image/quantise.hpp"
-
 #include "renderer/math/color.hpp"
+
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
-
-#include <catch2/catch.hpp>
 
 using rt::SrgbQuantiser;
 
@@ -13,22 +12,22 @@ using rt::SrgbQuantiser;
 TEST_CASE("sRGB: eight bits follow the standard's formula") {
   const SrgbQuantiser quantise(8);
   CHECK(quantise(0.0f) == 0);
-  CHECK(quantise(0.001f) == 3);   // 3.29
-  CHECK(quantise(0.01f) == 25);   // 25.46
-  CHECK(quantise(0.18f) == 118);  // 117.65
-  CHECK(quantise(0.2f) == 124);   // 123.55
-  CHECK(quantise(0.5f) == 188);   // 187.52
-  CHECK(quantise(0.75f) == 225);  // 224.61
+  CHECK(quantise(0.001f) == 3);  // 3.29
+  CHECK(quantise(0.01f) == 25);  // 25.46
+  CHECK(quantise(0.18f) == 118); // 117.65
+  CHECK(quantise(0.2f) == 124);  // 123.55
+  CHECK(quantise(0.5f) == 188);  // 187.52
+  CHECK(quantise(0.75f) == 225); // 224.61
   CHECK(quantise(1.0f) == 255);
 }
 
 TEST_CASE("sRGB: sixteen bits follow the standard's formula") {
   const SrgbQuantiser quantise(16);
   CHECK(quantise(0.0f) == 0);
-  CHECK(quantise(0.001f) == 847);   // 846.71
-  CHECK(quantise(0.01f) == 6544);   // 6543.85
-  CHECK(quantise(0.18f) == 30235);  // 30234.97
-  CHECK(quantise(0.5f) == 48192);   // 48191.62
+  CHECK(quantise(0.001f) == 847);  // 846.71
+  CHECK(quantise(0.01f) == 6544);  // 6543.85
+  CHECK(quantise(0.18f) == 30235); // 30234.97
+  CHECK(quantise(0.5f) == 48192);  // 48191.62
   CHECK(quantise(1.0f) == 65535);
 }
 

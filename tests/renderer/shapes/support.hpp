@@ -11,8 +11,9 @@
 /// What the tests of shapes share.
 namespace rt::test {
 
-/// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64). So that they are with
-/// every compiler too, no more than one is drawn between two operators or in a call's arguments; braces have an order.
+/// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64). So that they are
+/// with every compiler too, no more than one is drawn between two operators or in a call's arguments; braces have an
+/// order.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

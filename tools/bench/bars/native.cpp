@@ -1,7 +1,6 @@
 #include "tools/bench/bars/native.hpp"
 
 #include <embree3/rtcore.h>
-
 #include <sys/resource.h>
 
 #include <memory>
@@ -19,8 +18,8 @@ using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
 
 float* new_vertices(RTCGeometry geometry, RTCFormat format, std::size_t floats_each, std::size_t count) {
-  return static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, format,
-                                                     floats_each * sizeof(float), count));
+  return static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, format, floats_each * sizeof(float), count));
 }
 
 unsigned* new_indices(RTCGeometry geometry, RTCFormat format, std::size_t each, std::size_t count) {

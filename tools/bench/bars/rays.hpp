@@ -6,7 +6,8 @@
 
 namespace rt::tools::bench {
 
-/// All rays of a frame in the order in which the integrator traces them, so that they can be traced again by themselves.
+/// All rays of a frame in the order in which the integrator traces them, so that they can be traced again by
+/// themselves.
 struct FrameRays {
   std::vector<Ray> nearest; ///< unit directions
   std::vector<Ray> shadow;

@@ -51,7 +51,8 @@ void evaluate_loop(benchmark::State& state) {
 BENCHMARK(evaluate_loop)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void evaluate_calls(benchmark::State& state) {
-  load(state, "fn fib(n) = if n < 2 { n } else { fib(n - 1) + fib(n - 2) }\nx = fib(20)\nsphere { radius: x }\n", 21'891);
+  load(state, "fn fib(n) = if n < 2 { n } else { fib(n - 1) + fib(n - 2) }\nx = fib(20)\nsphere { radius: x }\n",
+       21'891);
 }
 BENCHMARK(evaluate_calls)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 

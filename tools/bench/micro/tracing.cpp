@@ -73,9 +73,9 @@ void shadow(benchmark::State& state, std::string_view name) {
 
 [[maybe_unused]] const bool are_registered = [] {
   for (const std::string_view name : scenes)
-    for (const auto& [what, run] : {std::pair{"build/", &build}, std::pair{"primary/", &primary},
-                                    std::pair{"primary_packets/", &primary_packets}, std::pair{"shadow/", &shadow},
-                                    std::pair{"bounce/", &bounce}})
+    for (const auto& [what, run] :
+         {std::pair{"build/", &build}, std::pair{"primary/", &primary}, std::pair{"primary_packets/", &primary_packets},
+          std::pair{"shadow/", &shadow}, std::pair{"bounce/", &bounce}})
       benchmark::RegisterBenchmark((what + std::string(name)).c_str(), run, name)->Unit(benchmark::kMillisecond);
   return true;
 }();

@@ -27,9 +27,9 @@ struct Program {
   std::string picture;
 };
 
-const std::array<Program, 3> programs = {
-    {{"rtlang", Format::rtl, ".rtl", ".rtl.png"}, {"POV-Ray", Format::povray, ".pov", ".pov.png"},
-     {"Tachyon", Format::tachyon, ".dat", ".dat.png"}}};
+const std::array<Program, 3> programs = {{{"rtlang", Format::rtl, ".rtl", ".rtl.png"},
+                                          {"POV-Ray", Format::povray, ".pov", ".pov.png"},
+                                          {"Tachyon", Format::tachyon, ".dat", ".dat.png"}}};
 
 struct Options {
   std::string rtlang = "rtlang";
@@ -43,10 +43,12 @@ struct Options {
 Command command(const Options& options, const Program& program, const std::string& scene) {
   const std::string side = std::to_string(picture_size);
   if (program.format == Format::povray)
-    return {"povray", "+I" + scene + ".pov", "+O" + scene + ".pov.png", "-D", "-A", "-GA", "+W" + side, "+H" + side,
-            "+WT1", "+FN"};
+    return {
+        "povray", "+I" + scene + ".pov", "+O" + scene + ".pov.png", "-D", "-A", "-GA", "+W" + side, "+H" + side, "+WT1",
+        "+FN"};
   if (program.format == Format::tachyon)
-    return {"tachyon", scene + ".dat", "-numthreads", "1", "-res", side, side, "-format", "PNG", "-o", scene + ".dat.png"};
+    return {"tachyon", scene + ".dat", "-numthreads",     "1", "-res", side, side, "-format",
+            "PNG",     "-o",           scene + ".dat.png"};
   return {options.rtlang, "render", scene + ".rtl", "-o", scene + ".rtl.png", "--threads", "1"};
 }
 
@@ -75,7 +77,8 @@ void compare(const Options& options, const std::string& scene, Row& row) {
   run_apart([&] {
     constexpr double tolerance = 4;
     const Picture ours = read_png(base + ".rtl.png", Encoding::srgb);
-    std::ofstream(base + ".differs") << share_that_differs(ours, read_png(base + ".pov.png", Encoding::linear), tolerance)
+    std::ofstream(base + ".differs") << share_that_differs(ours, read_png(base + ".pov.png", Encoding::linear),
+                                                           tolerance)
                                      << ' ' << share_that_differs(ours, read_ppm(base + ".ppm"), tolerance);
   });
   std::ifstream(base + ".differs") >> row.differs_from_povray >> row.differs_from_tachyon;
@@ -102,7 +105,8 @@ Row measure(const Options& options, const std::string& scene) {
 
 void print_row(const Row& row, bool is_checked) {
   const auto& [r, p, t] = row.costs;
-  fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | **{:.2f}** | **{:.2f}** | {:.2f} / {:.2f} / {:.2f} | {:.0f} / {:.0f} / {:.0f} |",
+  fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | **{:.2f}** | **{:.2f}** | {:.2f} / {:.2f} / {:.2f} | {:.0f} / "
+             "{:.0f} / {:.0f} |",
              row.scene, row.primitives, r.user_seconds, p.user_seconds, t.user_seconds, row.ratio(1), row.ratio(2),
              r.wall_seconds, p.wall_seconds, t.wall_seconds, r.peak_megabytes, p.peak_megabytes, t.peak_megabytes);
   if (is_checked) fmt::print(" {:.3f} / {:.3f} |", 100 * row.differs_from_povray, 100 * row.differs_from_tachyon);
@@ -121,7 +125,8 @@ void print_means(const std::vector<Row>& rows) {
 
 void report(const Options& options) {
   fs::create_directories(options.folder);
-  fmt::print("| scene | primitives | rtlang, s | POV-Ray, s | Tachyon, s | POV-Ray / rtlang | Tachyon / rtlang | wall, s | peak, MB |{}\n",
+  fmt::print("| scene | primitives | rtlang, s | POV-Ray, s | Tachyon, s | POV-Ray / rtlang | Tachyon / rtlang | wall, "
+             "s | peak, MB |{}\n",
              options.is_checked ? " pixels that differ, % |" : "");
   fmt::print("|---|---|---|---|---|---|---|---|---|{}\n", options.is_checked ? "---|" : "");
   std::vector<Row> rows;

@@ -13,7 +13,8 @@ struct Picture {
 
 enum class Encoding { linear, srgb };
 
-/// Of a PNG file with 8 bits, whose numbers mean what `encoding` says, whatever its chunks say. Throws std::runtime_error.
+/// Of a PNG file with 8 bits, whose numbers mean what `encoding` says, whatever its chunks say. Throws
+/// std::runtime_error.
 Picture read_png(const std::string& path, Encoding encoding);
 
 /// Of a binary PPM file with 8 bits and linear numbers.

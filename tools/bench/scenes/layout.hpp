@@ -69,8 +69,8 @@ inline constexpr int mirror_depth = 5; ///< mirrored rays after the camera's
 
 /// In the order of the tables. The arrangement of the first ones follows the manner of Haines's Standard Procedural
 /// Databases (A Proposal for Standard Graphics Environments, IEEE Computer Graphics and Applications 7(11), 1987).
-inline constexpr std::array<std::string_view, 7> layout_names = {
-    "sphereflake_4", "sphereflake_6", "rings", "mixed", "random_10k", "random_1m", "whitted"};
+inline constexpr std::array<std::string_view, 7> layout_names = {"sphereflake_4", "sphereflake_6", "rings",  "mixed",
+                                                                 "random_10k",    "random_1m",     "whitted"};
 
 /// Throws std::invalid_argument for a name that is none of these.
 Layout make_layout(std::string_view name);

@@ -1,6 +1,5 @@
-#include "tools/bench/scenes/layout.hpp"
-
 #include "renderer/math/affine.hpp"
+#include "tools/bench/scenes/layout.hpp"
 
 #include <cmath>
 #include <random>
@@ -68,7 +67,8 @@ Layout sphereflake(int depth) {
   layout.fov = 40;
   layout.background = {0.08, 0.36, 0.72};
   layout.lamps = two_lamps(layout.eye, 20);
-  layout.finishes = {{.color = {1, 0.75, 0.33}, .specular = 0}, {.color = {1, 0.9, 0.7}, .diffuse = 0.5, .reflect = 0.5}};
+  layout.finishes = {{.color = {1, 0.75, 0.33}, .specular = 0},
+                     {.color = {1, 0.9, 0.7}, .diffuse = 0.5, .reflect = 0.5}};
   layout.floors = {{-1.1, 0}};
   add_flake(layout, {0, 0, 0}, 1, {0, 1, 0}, depth);
   return layout;
@@ -179,7 +179,8 @@ Layout whitted() {
       layout.triangles.push_back({{a, b, c}, finish});
       layout.triangles.push_back({{a, c, d}, finish});
     }
-  layout.balls = {{{-0.3, 0.75, 1.8}, 0.9, 2}, {{1.1, 0.5, -0.6}, 1.0, 3}, {{-2.2, 0.1, -0.8}, 0.7, 4}, {{2.5, -0.2, 1.6}, 0.4, 4}};
+  layout.balls = {
+      {{-0.3, 0.75, 1.8}, 0.9, 2}, {{1.1, 0.5, -0.6}, 1.0, 3}, {{-2.2, 0.1, -0.8}, 0.7, 4}, {{2.5, -0.2, 1.6}, 0.4, 4}};
   return layout;
 }
 

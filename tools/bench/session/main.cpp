@@ -6,6 +6,12 @@
 #include "renderer/traceable.hpp"
 #include "tools/repl/picture.hpp"
 
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -15,12 +21,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
@@ -79,10 +79,12 @@ Times median(const std::vector<Times>& all) {
   return {middle(&Times::wall), middle(&Times::cpu)};
 }
 
-constexpr const char* view = "camera { at: [50, 60, 130], look_at: [50, 0, 45], fov: 50 }\nsun { direction: [-1, -2, -1] }\n";
+constexpr const char* view =
+    "camera { at: [50, 60, 130], look_at: [50, 0, 45], fov: 50 }\nsun { direction: [-1, -2, -1] }\n";
 
 std::string one_loop() {
-  return fmt::format("for i in 0..<{} {{ sphere {{ at: [i % 100, (i / 100) % 10, i / 1000], radius: 0.3 }} }}\n", objects);
+  return fmt::format("for i in 0..<{} {{ sphere {{ at: [i % 100, (i / 100) % 10, i / 1000], radius: 0.3 }} }}\n",
+                     objects);
 }
 
 std::string many_lines() {
@@ -123,8 +125,11 @@ Times start_afresh(const std::string& path) {
   std::filesystem::remove(changed);
   std::filesystem::remove(picture);
   if (status != 0) throw std::runtime_error("the program failed");
-  const auto milliseconds = [](const timeval& t) { return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec); };
-  return {std::chrono::duration<double, std::milli>(wall).count(), milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime)};
+  const auto milliseconds = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return {std::chrono::duration<double, std::milli>(wall).count(),
+          milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime)};
 }
 
 void measure_change(const std::string& name, const std::string& path, std::uint64_t count) {
@@ -146,10 +151,11 @@ void measure_change(const std::string& name, const std::string& path, std::uint6
     changed.push_back(watch.elapsed());
   }
   const Times before = median(fresh), after = median(changed);
-  fmt::print("{:<20} a fresh start {:.0f} ms (cpu {:.0f}), one sphere more {:.1f} ms (cpu {:.1f}): {:.1f} times faster (cpu {:.1f})\n",
+  fmt::print("{:<20} a fresh start {:.0f} ms (cpu {:.0f}), one sphere more {:.1f} ms (cpu {:.1f}): {:.1f} times faster "
+             "(cpu {:.1f})\n",
              name, before.wall, before.cpu, after.wall, after.cpu, before.wall / after.wall, before.cpu / after.cpu);
-  fmt::print("{:<20} cpu of it: session {:.2f} ms, building {:.2f} ms, tracing {:.2f} ms\n", "", median(parts.evaluating).cpu,
-             median(parts.building).cpu, median(parts.tracing).cpu);
+  fmt::print("{:<20} cpu of it: session {:.2f} ms, building {:.2f} ms, tracing {:.2f} ms\n", "",
+             median(parts.evaluating).cpu, median(parts.building).cpu, median(parts.tracing).cpu);
   fmt::print("{:<20} of {} objects evaluated again {}, rebuilt {}, in {} changes\n", "", count,
              session.counters().objects_evaluated - counters.objects_evaluated - changes,
              cache.counts().objects_built - counts.objects_built, changes);

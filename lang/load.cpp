@@ -1,9 +1,9 @@
 #include "lang/load.hpp"
 
-#include "lang/check.hpp"
-#include "lang/evaluate.hpp"
-#include "lang/library.hpp"
-#include "lang/suggest.hpp"
+#include "lang/check/check.hpp"
+#include "lang/evaluate/evaluate.hpp"
+#include "lang/library/library.hpp"
+#include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "lang/diagnostic.hpp"
-#include "lang/expect.hpp"
-#include "lang/source.hpp"
+#include "lang/builtins/expect.hpp"
+#include "lang/diagnostics/diagnostic.hpp"
+#include "lang/evaluate/limits.hpp"
+#include "lang/text/source.hpp"
 #include "renderer/scene/scene.hpp"
 
 #include <atomic>
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace rt::lang {
-
-/// Bounds on what a scene may cost; exceeding one is a diagnostic with place and call stack.
-struct Limits {
-  std::uint64_t steps = 100'000'000;
-  int recursion = 1'000;
-  std::uint64_t objects = 20'000'000;
-  std::uint64_t memory_bytes = std::uint64_t{8} << 30;
-};
 
 struct LoadOptions {
   std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text

@@ -1,5 +1,5 @@
 #include "lang/builtins/builtins.hpp"
-#include "lang/properties.hpp"
+#include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
 

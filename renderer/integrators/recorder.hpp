@@ -1,9 +1,9 @@
 #pragma once
 
-#include "renderer/integrators/interiors.hpp"
-#include "renderer/lights.hpp"
-#include "renderer/materials.hpp"
-#include "renderer/traceable.hpp"
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/shading/lights.hpp"
+#include "renderer/shading/materials.hpp"
+#include "renderer/shading/media.hpp"
 
 namespace rt {
 

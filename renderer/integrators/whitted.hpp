@@ -1,10 +1,10 @@
 #pragma once
 
-#include "renderer/integrators/interiors.hpp"
-#include "renderer/integrators/optics.hpp"
+#include "renderer/compile/compiled_scene.hpp"
 #include "renderer/integrators/recorder.hpp"
-#include "renderer/static_vector.hpp"
-#include "renderer/traceable.hpp"
+#include "renderer/math/static_vector.hpp"
+#include "renderer/shading/media.hpp"
+#include "renderer/shading/optics.hpp"
 
 #include <algorithm>
 #include <array>

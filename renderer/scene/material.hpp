@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/scene/field.hpp"
+#include "renderer/fields/field.hpp"
 #include "renderer/scene/transform.hpp"
 
 namespace rt::scene {

@@ -3,7 +3,7 @@
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/object.hpp"
-#include "renderer/shapes/shapes.hpp"
+#include "renderer/scene/shapes.hpp"
 
 #include <string>
 

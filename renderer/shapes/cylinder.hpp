@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/fields/field.hpp"
 #include "renderer/math/quadratic.hpp"
-#include "renderer/scene/field.hpp"
 #include "renderer/shapes/revolution.hpp"
 
 namespace rt::scene {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/fields/field.hpp"
 #include "renderer/math/affine.hpp"
-#include "renderer/scene/field.hpp"
 
 #include <span>
 

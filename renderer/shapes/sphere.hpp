@@ -1,7 +1,7 @@
 #pragma once
 
+#include "renderer/fields/field.hpp"
 #include "renderer/math/rounding.hpp"
-#include "renderer/scene/field.hpp"
 #include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {

@@ -1,8 +1,8 @@
 // Whatever parses is formatted faithfully, and formatting again changes nothing. Run as fuzz_parse is.
 
-#include "lang/format.hpp"
+#include "lang/format/format.hpp"
 
-#include "lang/parse.hpp"
+#include "lang/syntax/parse.hpp"
 
 #include <cstdint>
 #include <cstdlib>

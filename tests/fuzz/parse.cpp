@@ -2,7 +2,7 @@
 //   cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_parse
 //   build/fuzz/tests/fuzz_parse -dict=tests/fuzz/scene.dict CORPUS examples tests/golden/diagnostics
 
-#include "lang/parse.hpp"
+#include "lang/syntax/parse.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // Every scene in diagnostics/ and, beside it, the report it must give. `tools/update_diagnostics` writes the reports
 // anew: read the differences before committing them.
 
-#include "lang/diagnostic.hpp"
+#include "lang/diagnostics/diagnostic.hpp"
 #include "lang/load.hpp"
 #include "tests/paths.hpp"
-#include "tools/ask/lint.hpp"
+#include "tools/explain/lint/lint.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "tests/lang/loading.hpp"
+#include "tests/support/loading.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lang/load.hpp"
-#include "renderer/render.hpp"
-#include "tools/povray/report.hpp"
+#include "renderer/render/render.hpp"
+#include "tools/povray/compare/report.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/film.hpp"
+#include "renderer/render/film.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,5 @@
 #include "lang/load.hpp"
-#include "renderer/render.hpp"
+#include "renderer/render/render.hpp"
 #include "tools/oracle/runs.hpp"
 
 #include <fmt/format.h>

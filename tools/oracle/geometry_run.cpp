@@ -1,4 +1,4 @@
-#include "renderer/tracer.hpp"
+#include "renderer/render/ray_query.hpp"
 #include "tools/oracle/runs.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "tools/oracle/golden.hpp"
 
 #include "renderer/image/image.hpp"
-#include "renderer/render.hpp"
+#include "renderer/render/render.hpp"
 
 #include <fmt/format.h>
 #include <png.h>

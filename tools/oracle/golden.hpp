@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/povray/compare.hpp"
+#include "tools/povray/compare/compare.hpp"
 
 #include <map>
 #include <string>

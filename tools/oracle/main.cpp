@@ -1,8 +1,8 @@
 #include "renderer/image/file.hpp"
 #include "tools/oracle/runs.hpp"
-#include "tools/rtlang/console.hpp"
-#include "tools/rtlang/exit_code.hpp"
-#include "tools/rtlang/interrupt.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

@@ -1,5 +1,5 @@
 #include "tools/oracle/runs.hpp"
-#include "tools/povray/retrace.hpp"
+#include "tools/povray/compare/retrace.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "tools/oracle/features.hpp"
 #include "tools/oracle/generate.hpp"
-#include "tools/povray/compare.hpp"
+#include "tools/povray/compare/compare.hpp"
 
 #include <functional>
 #include <optional>

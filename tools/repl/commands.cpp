@@ -1,7 +1,6 @@
 #include "tools/repl/commands.hpp"
 
-#include "lang/suggest.hpp"
-#include "tools/rtlang/subcommand.hpp"
+#include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +10,7 @@ namespace rt::tools {
 std::vector<ShellCommand> shell_commands() {
   std::vector<ShellCommand> all;
   for (const auto table : {picture_commands(), document_commands(), question_commands(), general_commands()})
-    for (const ShellCommand& command : table)
-      if (command.subcommand.empty() || find_subcommand(command.subcommand)) all.push_back(command);
+    all.insert(all.end(), table.begin(), table.end());
   return all;
 }
 

@@ -20,7 +20,6 @@ struct ShellCommand {
   ArgumentKind argument = ArgumentKind::none;
   /// False where it went wrong, which it has told.
   bool (*run)(Shell& shell, std::string_view arguments) = nullptr;
-  std::string_view subcommand = {}; ///< of the program: the command is there if that is
 };
 
 /// All that this program has, in the order of :help.

@@ -1,7 +1,7 @@
 #include "renderer/image/file.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/repl/swatch.hpp"
+#include "tools/terminal/swatch.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #include "renderer/image/file.hpp"
 #include "renderer/image/image.hpp"
+#include "tools/inspect/scene_hash.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/repl/swatch.hpp"
-#include "tools/repl/terminal.hpp"
-#include "tools/rtlang/help.hpp"
-#include "tools/rtlang/quantity.hpp"
-#include "tools/rtlang/scene_hash.hpp"
+#include "tools/terminal/quantity.hpp"
+#include "tools/terminal/swatch.hpp"
+#include "tools/terminal/terminal.hpp"
+#include "tools/terminal/version.hpp"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,14 @@
-#include "lang/css_colors.hpp"
-#include "lang/reference.hpp"
-#include "lang/suggest.hpp"
+#include "lang/ide/reference.hpp"
+#include "lang/text/suggest.hpp"
+#include "lang/values/css_colors.hpp"
 #include "renderer/image/file.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/repl/swatch.hpp"
-#include "tools/repl/terminal.hpp"
-#include "tools/repl/wrap.hpp"
-#include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/program.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/swatch.hpp"
+#include "tools/terminal/terminal.hpp"
+#include "tools/terminal/wrap.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -169,11 +169,11 @@ bool time(Shell& shell, std::string_view arguments) {
 
 std::span<const ShellCommand> question_commands() {
   static constexpr ShellCommand table[] = {
-      {"probe", "X Y", "what is seen in a pixel", ArgumentKind::none, probe, "probe"},
-      {"why", "X Y", "why a pixel has its colour", ArgumentKind::none, why, "why"},
-      {"lint", "", "what may be a slip", ArgumentKind::none, lint, "lint"},
-      {"check", "", "compares the picture with POV-Ray's", ArgumentKind::none, check, "check"},
-      {"export", "pov FILE", "the scene for POV-Ray", ArgumentKind::file, export_scene, "export"},
+      {"probe", "X Y", "what is seen in a pixel", ArgumentKind::none, probe},
+      {"why", "X Y", "why a pixel has its colour", ArgumentKind::none, why},
+      {"lint", "", "what may be a slip", ArgumentKind::none, lint},
+      {"check", "", "compares the picture with POV-Ray's", ArgumentKind::none, check},
+      {"export", "pov FILE", "the scene for POV-Ray", ArgumentKind::file, export_scene},
       {"doc", "NAME", "explains a thing, a property or a function", ArgumentKind::word, doc},
       {"time", "[INPUT]", "how long the last input took, or runs one and tells", ArgumentKind::statement, time},
   };

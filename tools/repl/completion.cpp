@@ -1,6 +1,6 @@
 #include "tools/repl/completion.hpp"
 
-#include "lang/session_complete.hpp"
+#include "lang/ide/complete.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
 

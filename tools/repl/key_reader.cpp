@@ -1,7 +1,7 @@
 #include "tools/repl/key_reader.hpp"
 
-#include "lang/utf8.hpp"
-#include "tools/repl/terminal.hpp"
+#include "lang/text/utf8.hpp"
+#include "tools/terminal/terminal.hpp"
 
 #include <poll.h>
 #include <sys/ioctl.h>

@@ -1,8 +1,8 @@
 #include "tools/repl/line_editor.hpp"
 
-#include "lang/utf8.hpp"
+#include "lang/text/utf8.hpp"
 #include "tools/repl/key_reader.hpp"
-#include "tools/repl/terminal.hpp"
+#include "tools/terminal/terminal.hpp"
 
 #include <editline/readline.h>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/film.hpp"
-#include "tools/repl/picture.hpp"
+#include "renderer/render/film.hpp"
+#include "tools/terminal/picture.hpp"
 
 #include <atomic>
 #include <functional>

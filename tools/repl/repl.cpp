@@ -1,17 +1,17 @@
 #include "tools/repl/repl.hpp"
 
-#include "lang/parse.hpp"
+#include "lang/syntax/parse.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/completion.hpp"
 #include "tools/repl/line_editor.hpp"
 #include "tools/repl/preview.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/repl/swatch.hpp"
-#include "tools/repl/terminal.hpp"
-#include "tools/rtlang/console.hpp"
-#include "tools/rtlang/exit_code.hpp"
-#include "tools/rtlang/help.hpp"
-#include "tools/rtlang/interrupt.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/swatch.hpp"
+#include "tools/terminal/terminal.hpp"
+#include "tools/terminal/version.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 
 #include "renderer/math/color.hpp"
 #include "tools/repl/commands.hpp"
-#include "tools/repl/swatch.hpp"
-#include "tools/rtlang/interrupt.hpp"
+#include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/swatch.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "lang/session.hpp"
-#include "renderer/render.hpp"
-#include "renderer/traceable.hpp"
+#include "lang/session/session.hpp"
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/render/render.hpp"
 #include "tools/repl/journal.hpp"
-#include "tools/repl/picture.hpp"
+#include "tools/terminal/picture.hpp"
 
 #include <atomic>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "tools/rtlang/gate_arguments.hpp"
 
-#include "tools/rtlang/exit_code.hpp"
+#include "tools/terminal/exit_code.hpp"
 
 #include <fmt/format.h>
 

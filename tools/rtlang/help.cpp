@@ -1,5 +1,7 @@
 #include "tools/rtlang/help.hpp"
 
+#include "tools/terminal/version.hpp"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -58,10 +60,6 @@ std::string options_of(const CLI::App& app, const std::string& group, const std:
 }
 
 } // namespace
-
-std::string_view version_number() {
-  return RTLANG_VERSION;
-}
 
 std::string version() {
   return fmt::format("rtlang {}\n", version_number());

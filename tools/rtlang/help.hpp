@@ -16,7 +16,4 @@ std::string help();
 /// What `rtlang --version` prints.
 std::string version();
 
-/// The program's version alone, "0.1.0".
-std::string_view version_number();
-
 } // namespace rt::tools

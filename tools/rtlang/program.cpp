@@ -1,10 +1,10 @@
 #include "tools/rtlang/program.hpp"
 
-#include "lang/suggest.hpp"
-#include "tools/rtlang/console.hpp"
-#include "tools/rtlang/exit_code.hpp"
+#include "lang/text/suggest.hpp"
 #include "tools/rtlang/help.hpp"
-#include "tools/rtlang/interrupt.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

@@ -1,6 +1,6 @@
 #include "tools/rtlang/question_arguments.hpp"
 
-#include "tools/rtlang/exit_code.hpp"
+#include "tools/terminal/exit_code.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/ask/question.hpp"
+#include "tools/explain/question.hpp"
 
 #include <memory>
 #include <string>

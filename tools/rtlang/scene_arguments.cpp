@@ -1,11 +1,11 @@
 #include "tools/rtlang/scene_arguments.hpp"
 
 #include "renderer/image/file.hpp"
-#include "tools/rtlang/console.hpp"
-#include "tools/rtlang/exit_code.hpp"
 #include "tools/rtlang/help.hpp"
-#include "tools/rtlang/interrupt.hpp"
-#include "tools/rtlang/quantity.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/quantity.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

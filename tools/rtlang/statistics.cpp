@@ -1,7 +1,7 @@
 #include "tools/rtlang/statistics.hpp"
 
-#include "tools/rtlang/help.hpp"
-#include "tools/rtlang/quantity.hpp"
+#include "tools/terminal/quantity.hpp"
+#include "tools/terminal/version.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lang/load.hpp"
-#include "renderer/render.hpp"
+#include "renderer/render/render.hpp"
 
 #include <string>
 #include <vector>

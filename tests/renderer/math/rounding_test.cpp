@@ -1,5 +1,5 @@
 #include "renderer/math/rounding.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 using namespace rt;
 using rt::test::Random;

@@ -1,7 +1,7 @@
 // The field tables: whatever is set through one can be read back through it.
 
 #include "renderer/scene/scene.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <set>
 

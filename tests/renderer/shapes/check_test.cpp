@@ -1,7 +1,7 @@
 // What is no shape, and how that is said.
 
 #include "renderer/shapes/outline.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 using namespace rt;
 using namespace rt::scene;

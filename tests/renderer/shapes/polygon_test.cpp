@@ -1,6 +1,6 @@
 #include "renderer/shapes/polygon.hpp"
 #include "renderer/shapes/triangle.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 #include "renderer/shapes/sphere.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 using namespace rt;
 using namespace rt::test;

@@ -1,7 +1,7 @@
 // What holds of every shape alike: random ones of each kind, of all sizes and at all places.
 
 #include "renderer/math/rounding.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <numbers>
 

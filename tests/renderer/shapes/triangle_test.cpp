@@ -1,6 +1,6 @@
 #include "renderer/shapes/quad.hpp"
 #include "renderer/shapes/triangle.hpp"
-#include "tests/renderer/shapes/support.hpp"
+#include "tests/support/shapes.hpp"
 
 using namespace rt;
 using namespace rt::test;

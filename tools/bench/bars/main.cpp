@@ -1,5 +1,5 @@
 #include "lang/load.hpp"
-#include "renderer/render.hpp"
+#include "renderer/render/render.hpp"
 #include "tools/bench/bars/native.hpp"
 #include "tools/bench/process.hpp"
 #include "tools/bench/scenes/describe.hpp"

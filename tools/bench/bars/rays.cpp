@@ -1,6 +1,6 @@
 #include "tools/bench/bars/rays.hpp"
 
-#include "renderer/camera.hpp"
+#include "renderer/render/camera_rays.hpp"
 
 namespace rt::tools::bench {
 namespace {

@@ -1,5 +1,5 @@
 #include "lang/load.hpp"
-#include "lang/parse.hpp"
+#include "lang/syntax/parse.hpp"
 #include "tools/bench/scenes/layout.hpp"
 
 #include <benchmark/benchmark.h>

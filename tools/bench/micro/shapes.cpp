@@ -1,4 +1,4 @@
-#include "renderer/shapes/shapes.hpp"
+#include "renderer/scene/shapes.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,10 +1,10 @@
 // Measures what a change costs in a session of 100,000 objects, and how long a preview takes.
 //   bench_session [SCENE]   SCENE: what the preview is of, examples/still_life.rtl unless given
 
-#include "lang/session.hpp"
-#include "renderer/render.hpp"
-#include "renderer/traceable.hpp"
-#include "tools/repl/picture.hpp"
+#include "lang/session/session.hpp"
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/render/render.hpp"
+#include "tools/terminal/picture.hpp"
 
 #include <fmt/format.h>
 #include <spawn.h>

@@ -1,0 +1,204 @@
+#include "lang/check/dialects.hpp"
+
+#include <fmt/format.h>
+
+namespace rt::lang {
+namespace {
+
+struct Word {
+  std::string_view theirs;
+  std::string_view advice;
+};
+
+/// Names of things and functions in POV-Ray, OpenSCAD, three.js and their like.
+constexpr Word names[] = {
+    {"cube", "write `box`"},
+    {"cuboid", "write `box`"},
+    {"block", "write `box`"},
+    {"ball", "write `sphere`"},
+    {"tube", "write `cylinder { open: true }`"},
+    {"circle", "write `disc`"},
+    {"square", "write `quad`"},
+    {"rectangle", "write `quad` with `corner`, `edge_u` and `edge_v`"},
+    {"parallelogram", "write `quad`"},
+    {"floor", "write `plane { y: 0 }`"},
+    {"ground", "write `plane { y: 0 }`"},
+    {"object", "write the thing's own name: `ball { at: … }`"},
+    {"polyhedron", "write a `group` of `polygon`s"},
+    {"merge", "write `union { … }`, or `a | b`"},
+    {"subtract", "write `difference { … }`, or `a - b`"},
+    {"intersect", "write `intersection { … }`, or `a & b`"},
+    {"light_source", "write `light { at: …, color: … }`"},
+    {"point_light", "write `light { at: …, color: … }`"},
+    {"PointLight", "write `light { at: …, color: … }`"},
+    {"pointlight", "write `light { at: …, color: … }`"},
+    {"spotlight", "write `spot { at: …, look_at: …, angle: … }`"},
+    {"SpotLight", "write `spot { at: …, look_at: …, angle: … }`"},
+    {"DirectionalLight", "write `sun { direction: … }`"},
+    {"directional_light", "write `sun { direction: … }`"},
+    {"parallel", "write `sun { direction: … }`"},
+    {"AmbientLight", "write `ambient: 0.1` at the top level"},
+    {"ambient_light", "write `ambient: 0.1` at the top level"},
+    {"PerspectiveCamera", "write `camera { at: …, look_at: …, fov: … }`"},
+    {"OrthographicCamera", "write `camera { projection: orthographic, width: … }`"},
+    {"texture", "write `material { … }`"},
+    {"pigment", "write `material { color: … }`"},
+    {"finish", "write `material { … }`"},
+    {"normal", "a vector stands in `[x, y, z]`"},
+    {"interior", "write `material { ior: … }`"},
+    {"global_settings", "properties of the scene stand at the top level: `max_depth: 8`"},
+    {"translate", "write `thing.move([x, y, z])`, or `at: [x, y, z]`"},
+    {"translated", "write `thing.move([x, y, z])`"},
+    {"position", "write `at: [x, y, z]`"},
+    {"location", "write `at: [x, y, z]`"},
+    {"checkerboard", "write `checker { a: …, b: … }`"},
+    {"checkered", "write `checker { a: …, b: … }`"},
+    {"declare", "write `name = value`"},
+    {"local", "write `name = value`"},
+    {"let", "write `name = value`, without `let`"},
+    {"var", "write `name = value`, without `var`"},
+    {"const", "write `name = value`, without `const`"},
+    {"module", "write `def name(…) { … }`"},
+    {"macro", "write `def name(…) { … }`, or `fn name(…) = …`"},
+    {"function", "write `fn name(…) = …`"},
+    {"import", "write `use \"file.rtl\" as name`, or `include \"file.rtl\"`"},
+    {"while", "write `for x in … { … }`"},
+    {"True", "write `true`"},
+    {"False", "write `false`"},
+    {"None", "write `none`"},
+    {"null", "write `none`"},
+    {"nil", "write `none`"},
+    {"rgbt", "write `rgb(r, g, b)`, and `refract` in the material"},
+    {"rgbf", "write `rgb(r, g, b)`, and `refract` in the material"},
+    {"srgb", "write `rgb(r, g, b)`"},
+    {"vec3", "write `[x, y, z]`"},
+    {"Vector3", "write `[x, y, z]`"},
+    {"vcross", "write `cross(a, b)`"},
+    {"vdot", "write `dot(a, b)`"},
+    {"vlength", "write `length(v)`"},
+    {"vnormalize", "write `normalize(v)`"},
+    {"norm", "write `length(v)`"},
+    {"rand", "write `random(key)`: equal keys give equal numbers"},
+    {"rands", "write `random(key)`: equal keys give equal numbers"},
+    {"noise", "write `noise_at(p)`"},
+    {"snoise", "write `noise_at(p)`"},
+    {"concatenate", "write `concat(a, b)`"},
+    {"size_of", "write `len(list)`"},
+    {"ln", "write `log(x)`"},
+    {"asind", "write `asin(x)`: angles are degrees"},
+    {"acosd", "write `acos(x)`: angles are degrees"},
+    {"radians", "angles are degrees everywhere; `0.5rad` is a number in radians"},
+    {"degrees", "angles are degrees everywhere; `0.5rad` is a number in radians"},
+    {"PI", "write `pi`"},
+};
+
+struct PropertyWord {
+  std::string_view theirs;
+  std::string_view ours; ///< said only where the noun has it
+};
+
+constexpr PropertyWord properties[] = {
+    {"location", "at"},
+    {"center", "at"},
+    {"centre", "at"},
+    {"position", "at"},
+    {"pos", "at"},
+    {"translate", "at"},
+    {"origin", "at"},
+    {"eye", "at"},
+    {"lookat", "look_at"},
+    {"target", "look_at"},
+    {"point_at", "look_at"},
+    {"sky", "up"},
+    {"angle", "fov"},
+    {"field_of_view", "fov"},
+    {"rotation", "rotate"},
+    {"orientation", "rotate"},
+    {"texture", "material"},
+    {"pigment", "material"},
+    {"finish", "material"},
+    {"surface", "material"},
+    {"r", "radius"},
+    {"d", "radius"},
+    {"diameter", "radius"},
+    {"h", "height"},
+    {"length", "height"},
+    {"dimensions", "size"},
+    {"colour", "color"},
+    {"diffuse_color", "color"},
+    {"albedo", "color"},
+    {"phong", "specular"},
+    {"phong_size", "shininess"},
+    {"roughness", "shininess"},
+    {"exponent", "shininess"},
+    {"reflection", "reflect"},
+    {"reflectivity", "reflect"},
+    {"mirror", "reflect"},
+    {"transmit", "refract"},
+    {"filter", "refract"},
+    {"transparency", "refract"},
+    {"opacity", "refract"},
+    {"refraction", "ior"},
+    {"index", "ior"},
+    {"emissive", "emission"},
+    {"glow", "emission"},
+    {"metalness", "metallic"},
+    {"metal", "metallic"},
+    {"brightness", "intensity"},
+    {"power", "intensity"},
+    {"strength", "intensity"},
+    {"attenuation", "fade"},
+    {"fade_distance", "fade"},
+    {"decay", "fade"},
+    {"shadowless", "shadows"},
+    {"no_shadow", "casts_shadow"},
+    {"cast_shadow", "casts_shadow"},
+    {"dir", "direction"},
+    {"radius1", "radius"},
+    {"radius2", "top_radius"},
+    {"r1", "radius"},
+    {"r2", "top_radius"},
+    {"base_radius", "radius"},
+    {"cap_radius", "top_radius"},
+    {"open_ended", "open"},
+    {"vertices", "points"},
+    {"corners", "points"},
+    {"p1", "from"},
+    {"p2", "to"},
+    {"start", "from"},
+    {"end", "to"},
+    {"distance", "offset"},
+    {"inner_radius", "hole"},
+    {"resolution", "size"},
+    {"background_color", "background"},
+    {"max_trace_level", "max_depth"},
+    {"max_bounces", "max_depth"},
+    {"antialias", "samples"},
+    {"antialiasing", "samples"},
+    {"spp", "samples"},
+    {"falloff_angle", "falloff"},
+};
+
+} // namespace
+
+std::string dialect_name(std::string_view name) {
+  for (const Word& word : names) {
+    if (word.theirs == name) return std::string(word.advice);
+  }
+  return {};
+}
+
+std::string dialect_property(std::string_view property, const Noun* noun) {
+  for (const PropertyWord& word : properties) {
+    if (word.theirs != property || !noun->find(word.ours)) continue;
+    if (property == "diameter" || property == "d") return "write `radius`, half of the diameter";
+    if (property == "opacity") return "write `refract`, which is 0 where nothing shines through";
+    if (property == "roughness") return "write `shininess`: the higher, the smoother";
+    return fmt::format("write `{}`", word.ours);
+  }
+  if (noun->has_chain() && property == "move") return "write `at`, or `.move(…)` behind the thing";
+  if (noun->is_shape() && (property == "color1" || property == "color2")) return "colours belong to the material";
+  return {};
+}
+
+} // namespace rt::lang

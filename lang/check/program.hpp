@@ -1,0 +1,162 @@
+#pragma once
+
+#include "lang/check/name_uses.hpp"
+#include "lang/syntax/ast.hpp"
+#include "lang/values/node_types.hpp"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rt::lang {
+
+struct ModuleInfo;
+
+/// The tree of one text. A file that is included twice is two units: its names mean different things in each.
+struct Unit {
+  Ast ast;
+  std::vector<std::pair<NodeId, Unit*>> includes;         ///< by the `include` node
+  std::vector<std::pair<NodeId, const ModuleInfo*>> uses; ///< by the `use` node
+
+  Unit* included(NodeId node) const { return find(includes, node); }
+  const ModuleInfo* used(NodeId node) const { return find(uses, node); }
+
+private:
+  template <class T>
+  static T* find(const std::vector<std::pair<NodeId, T*>>& list, NodeId node) {
+    for (const auto& [id, target] : list) {
+      if (id == node) return target;
+    }
+    return nullptr;
+  }
+};
+
+/// What check found out about a def, fn or lambda.
+struct FunctionInfo {
+  struct Parameter {
+    Symbol name;
+    std::uint32_t slot = 0;
+    NodeId default_value = no_node;
+    NodeId node = no_node;
+  };
+  Unit* unit = nullptr;
+  NodeId node = no_node;
+  Kind kind = Kind::fn; ///< def, fn or lambda
+  Symbol name = no_symbol;
+  std::vector<Parameter> parameters;
+  NodeId body = no_node;
+  std::uint32_t frame_size = 0;
+  std::uint32_t use = NameUses::none; ///< its number there, for the lint
+  bool is_at_top_level = false;       ///< of its file
+  const ModuleInfo* module = nullptr; ///< the used file it stands in, null for the scene itself
+  mutable bool was_run = false;
+
+  std::optional<std::size_t> find(Symbol parameter) const {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].name == parameter) return i;
+    }
+    return std::nullopt;
+  }
+};
+
+/// A file that `use` named.
+struct ModuleInfo {
+  struct Export {
+    Symbol name;
+    std::uint32_t slot = 0;
+    const FunctionInfo* function = nullptr; ///< a def or fn, else a value in `slot`
+    const Noun* noun = nullptr;             ///< of a thing, where it is known
+  };
+  Unit* unit = nullptr;
+  std::string path; ///< canonical
+  std::uint32_t frame_size = 0;
+  std::vector<Export> exports;
+
+  const Export* find(Symbol name) const {
+    for (const Export& e : exports) {
+      if (e.name == name) return &e;
+    }
+    return nullptr;
+  }
+};
+
+/// A value of the command line, `-D name=text`, as an expression that sees no names but the built-in ones.
+struct Define {
+  Symbol name;
+  Unit* unit = nullptr;
+  std::uint32_t frame_size = 0;
+  bool is_used = false; ///< there is a `param` of this name
+};
+
+/// Everything that was read for one scene, with the names resolved.
+struct Program {
+  Nouns nouns;
+  SymbolTable symbols;
+  SourceMap sources;
+  std::deque<Unit> units; ///< a deque: references stay
+  std::deque<FunctionInfo> functions;
+  std::deque<ModuleInfo> modules;
+  std::vector<Define> defines;
+  std::vector<std::string_view> choices; ///< all words of all properties
+  Unit* main = nullptr;
+  Unit* library = nullptr;
+  std::uint32_t main_frame_size = 0;
+  std::uint32_t library_frame_size = 0;
+  struct LibraryName {
+    Symbol name;
+    std::uint32_t slot;
+    Span span;
+  };
+  std::vector<LibraryName> library_names;
+  std::vector<Symbol> param_names; ///< of the main file and what it includes
+  std::unique_ptr<NameUses> uses;  ///< where the lint is wanted: filled by check
+
+  Program();
+  /// The last one counts.
+  const Define* find_define(Symbol name) const {
+    const Define* found = nullptr;
+    for (const Define& define : defines) {
+      if (define.name == name) found = &define;
+    }
+    return found;
+  }
+};
+
+/// The index in `Program::functions` of a def, fn or lambda; check writes it into the node's parts that are its to use.
+inline void set_function_index(Node& node, std::uint32_t index) {
+  node.extra = static_cast<std::uint16_t>(index);
+  node.op = static_cast<Op>(index >> 16);
+}
+inline std::uint32_t function_index(const Node& node) {
+  return static_cast<std::uint32_t>(node.op) << 16 | node.extra;
+}
+inline constexpr std::uint32_t most_functions = 1U << 24;
+
+/// What check found a name to mean. In a name node: `Ast::slot` and, in `Node::extra`, the resolution in the upper four
+/// bits and in the lower twelve the number of frames outwards.
+enum class Resolution : std::uint16_t {
+  none,     ///< in error, reported
+  local,    ///< slot of a frame
+  function, ///< index in `Program::functions`, and the frame it was declared in
+  noun,     ///< index in `Program::nouns`
+  builtin,  ///< index in the table of built-in functions
+  constant, ///< index in the table of built-in constants
+  color,    ///< a CSS colour: 0xrrggbb
+  choice,   ///< index of the word in the table of choices
+  question, ///< index in the table of questions
+};
+
+constexpr std::uint16_t pack(Resolution resolution, std::size_t depth) {
+  return static_cast<std::uint16_t>(static_cast<unsigned>(resolution) << 12 | (depth & 0xfff));
+}
+constexpr Resolution resolution(const Node& name) {
+  return static_cast<Resolution>(name.extra >> 12);
+}
+constexpr std::size_t frames_out(const Node& name) {
+  return name.extra & 0xfff;
+}
+
+} // namespace rt::lang

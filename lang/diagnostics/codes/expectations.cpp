@@ -1,0 +1,19 @@
+#include "lang/diagnostics/codes/groups.hpp"
+
+#include <vector>
+
+namespace rt::lang::codes {
+
+std::span<const Code> expectations() {
+  static const std::vector<Code> table = {
+      {"E0701", "An expectation does not hold",
+       "`rtlang test` has tried an `expect` of the scene, and found something else. The notes say what was expected "
+       "and what "
+       "was found. `~` allows a difference of 1e-9, absolute and again relative to what is expected; `within` allows "
+       "another one.",
+       "", ""},
+  };
+  return table;
+}
+
+} // namespace rt::lang::codes

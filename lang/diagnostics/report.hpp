@@ -1,0 +1,85 @@
+#pragma once
+
+#include "lang/diagnostics/diagnostic.hpp"
+#include "lang/text/source.hpp"
+
+#include <cstddef>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace rt::lang {
+
+class StandIn;
+
+/// Collects what check and evaluation have to say: each mistake once for each place, however often a loop comes by.
+class Report {
+public:
+  static constexpr std::size_t most = 1'000;
+
+  /// The diagnostic to be filled in, valid until the next call; null where this code was reported here already, or
+  /// where there are too many.
+  Diagnostic* add(Severity severity, std::string_view code, Span span);
+  Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
+  /// From now on `remark` takes what the lint has to say; it is kept apart.
+  void want_remarks() { wants_remarks_ = true; }
+  bool wants_remarks() const { return wants_remarks_; }
+  /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a
+  /// model stands for, the first one's place is told and no other's.
+  Diagnostic* remark(std::string_view code, Span span);
+  /// All remarks, in the order of their places in each file.
+  std::vector<Diagnostic> finish_remarks();
+
+  /// Takes over the parser's diagnostics. What is said later about the same places follows from them and is left out.
+  void take(std::vector<Diagnostic> diagnostics);
+
+  bool has_errors() const { return errors_ > 0; }
+  /// Also those that were not listed.
+  std::size_t error_count() const { return errors_; }
+  bool is_full() const { return diagnostics_.size() >= most; }
+  /// Where something is that is known by its place in a model: see StandIn.
+  Span place(Span span) const;
+  /// All of them, in the order of their places in each file.
+  std::vector<Diagnostic> finish();
+
+private:
+  friend class StandIn;
+
+  std::vector<Diagnostic> diagnostics_;
+  std::vector<Diagnostic> remarks_;
+  std::vector<Span> malformed_; // where the parser found errors
+  std::set<std::tuple<FileId, std::uint32_t, std::uint32_t, std::string>> known_;
+  std::size_t errors_ = 0;
+  bool is_cut_ = false; // there were more errors
+  bool wants_remarks_ = false;
+  const StandIn* stand_in_ = nullptr;
+};
+
+/// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a
+/// place in the model is said about the same words of the item.
+class StandIn {
+public:
+  StandIn(Report& report, const SourceMap& sources, Span model)
+      : report_(report), sources_(sources), model_(model), item_(model), outer_(report.stand_in_) {
+    report_.stand_in_ = this;
+  }
+  ~StandIn() { report_.stand_in_ = outer_; }
+  StandIn(const StandIn&) = delete;
+  StandIn& operator=(const StandIn&) = delete;
+
+  /// From now on it stands in for this one.
+  void stand_for(Span item) { item_ = item; }
+
+private:
+  friend class Report;
+
+  Span place(Span span) const;
+
+  Report& report_;
+  const SourceMap& sources_;
+  Span model_, item_;
+  const StandIn* outer_;
+};
+
+} // namespace rt::lang

@@ -1,0 +1,198 @@
+#include "lang/evaluate/argument_list.hpp"
+
+#include "lang/values/properties.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rt::lang {
+namespace {
+
+bool is_of(const Value& value, const SignatureParameter& parameter) {
+  if (parameter.takes(ArgumentType::any)) return true;
+  switch (value.kind()) {
+  case ValueKind::number:
+    if (parameter.takes(ArgumentType::number)) return true;
+    break;
+  case ValueKind::boolean:
+    return parameter.takes(ArgumentType::boolean);
+  case ValueKind::string:
+    return parameter.takes(ArgumentType::string);
+  case ValueKind::vector:
+    if (parameter.takes(ArgumentType::point) || parameter.takes(ArgumentType::list)) return true;
+    return value.vector_size() == 3 && parameter.takes(ArgumentType::vector);
+  case ValueKind::list:
+  case ValueKind::range:
+    return parameter.takes(ArgumentType::list);
+  case ValueKind::closure:
+  case ValueKind::builtin:
+    if (parameter.takes(ArgumentType::function)) return true;
+    break;
+  default:
+    break;
+  }
+  return parameter.takes(ArgumentType::color) && as_color(value).has_value();
+}
+
+/// "a number or a vector" of "number or vector".
+std::string with_articles(std::string_view types) {
+  std::string text;
+  while (!types.empty()) {
+    const std::size_t end = std::min(types.find(" or "), types.size());
+    const std::string_view word = types.substr(0, end);
+    text += text.empty() ? "a " : " or a ";
+    if (word == "vector")
+      text += "vector of three numbers";
+    else if (word == "point")
+      text += "vector";
+    else if (word == "color")
+      text += "colour";
+    else
+      text += word;
+    types.remove_prefix(std::min(end + 4, types.size()));
+  }
+  return text;
+}
+
+} // namespace
+
+ArgumentList::ArgumentList(Evaluator& evaluator, std::string_view name, const Signature& signature, Span place)
+    : evaluator_(evaluator), name_(name), signature_(signature), place_(place) {
+  arguments.resize(signature.size() - (signature.has_rest() ? 1 : 0), Value::unset());
+  places_.resize(arguments.size());
+}
+
+bool ArgumentList::put(std::size_t i, Value value, Span place) {
+  if (i >= arguments.size()) {
+    arguments.resize(i + 1, Value::unset());
+    places_.resize(i + 1);
+  }
+  arguments[i] = std::move(value);
+  places_[i] = place;
+  return !arguments[i].is_poison();
+}
+
+bool ArgumentList::read(NodeId node, const Context& context) {
+  const Ast& ast = context.ast();
+  bool is_fine = true;
+  std::size_t position = 0;
+  for (const NodeId argument : ast.call(node).arguments) {
+    const bool is_named = ast.kind(argument) == Kind::argument;
+    const NodeId value_node = is_named ? ast.named(argument).value : argument;
+    Value value = evaluator_.expression(value_node, context);
+    std::size_t i = position;
+    if (is_named) {
+      const std::string_view word = evaluator_.name(ast.named(argument).symbol);
+      i = static_cast<std::size_t>(std::ranges::find(signature_, word, &SignatureParameter::name) - signature_.begin());
+      if (i == signature_.size()) {
+        evaluator_.fail("E0208", ast.named_span(argument, evaluator_.program_.symbols),
+                        fmt::format("`{}` has no parameter `{}`", name_, word));
+        is_fine = false;
+        continue;
+      }
+    } else if (++position > signature_.size() && !signature_.has_rest()) {
+      evaluator_.fail("E0208", ast.span(argument),
+                      fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
+                      "one too many");
+      return false;
+    }
+    is_fine &= put(i, std::move(value), ast.span(value_node));
+  }
+  return is_fine && are_complete();
+}
+
+bool ArgumentList::take(std::vector<Value> values) {
+  if (values.size() > signature_.size() && !signature_.has_rest()) {
+    evaluator_.fail("E0208", place_,
+                    fmt::format("`{}` is called with {}, and takes at most {}", name_,
+                                count_of_arguments(values.size()), signature_.size()));
+    return false;
+  }
+  bool is_fine = true;
+  for (std::size_t i = 0; i < values.size(); ++i) is_fine &= put(i, std::move(values[i]), place_);
+  return is_fine && are_complete();
+}
+
+bool ArgumentList::are_complete() {
+  for (std::size_t i = 0; i < signature_.size(); ++i) {
+    if (has(i) || signature_[i].is_optional) continue;
+    evaluator_.fail("E0208", place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name));
+    return false;
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (has(i) && !check_type(i)) return false;
+  }
+  return true;
+}
+
+bool ArgumentList::check_type(std::size_t i) {
+  const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
+  if (is_of(arguments[i], parameter)) return true;
+  evaluator_.fail("E0309", place_of(i),
+                  fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
+                              parameter.name, describe(arguments[i])),
+                  "this is " + describe(arguments[i]));
+  return false;
+}
+
+Heap& ArgumentList::heap() {
+  return evaluator_.heap_;
+}
+const SymbolTable& ArgumentList::symbols() {
+  return evaluator_.program_.symbols;
+}
+
+Value ArgumentList::call(const Value& function, std::vector<Value> function_arguments) {
+  return evaluator_.call_function(function, std::move(function_arguments), place_);
+}
+
+Value ArgumentList::fail(std::size_t argument, const std::string& message, const std::string& label) {
+  return evaluator_.fail("E0310", place_of(argument), message, label);
+}
+
+void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {
+  evaluator_.spend(steps, place_);
+  if (bytes > 0) evaluator_.reserve(bytes, place_);
+}
+
+const Observer* ArgumentList::observer(std::optional<std::size_t> alone) {
+  if (!alone || !has(*alone)) return evaluator_.observer();
+  return evaluator_.observer_of(arguments[*alone], place_of(*alone));
+}
+
+const scene::Scene& ArgumentList::scene() {
+  return evaluator_.scene_;
+}
+
+Value Evaluator::call_builtin(const Builtin& builtin, NodeId node, const Context& context) {
+  ArgumentList arguments(*this, builtin.name, builtin.signature, context.ast().span(node));
+  return arguments.read(node, context) ? builtin.function(arguments) : Value::poison();
+}
+
+Value Evaluator::call_builtin_with(const Builtin& builtin, std::vector<Value> values, Span place) {
+  ArgumentList arguments(*this, builtin.name, builtin.signature, place);
+  return arguments.take(std::move(values)) ? builtin.function(arguments) : Value::poison();
+}
+
+Value Evaluator::call_chain(const Value& base, const ChainMethod& method, NodeId node, const Context& context) {
+  const Span place = context.ast().span(node);
+  ArgumentList arguments(*this, method.name, method.signature, place);
+  if (!arguments.read(node, context)) return Value::poison();
+  const Thing& thing = base.thing();
+  if (!thing.noun->has_chain())
+    return fail("E0409", place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
+                thing.noun->category == Category::camera ? "a camera stands where `at` and `look_at` say" : "");
+  std::optional<scene::Step> step = method.function(arguments);
+  if (!step) return Value::poison();
+  Ref<Thing> copy = copy_of(thing);
+  Ref<Chain> chain(heap_.make<Chain>(0));
+  chain->steps.reserve((thing.chain ? thing.chain->steps.size() : 0) + 1);
+  if (thing.chain) chain->steps = thing.chain->steps;
+  spend(chain->steps.size(), place);
+  chain->steps.push_back(*std::move(step));
+  copy->chain = std::move(chain);
+  return copy;
+}
+
+} // namespace rt::lang

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "lang/evaluate/evaluator.hpp"
+
+namespace rt::lang {
+
+/// The arguments of a call of a built-in function or chain method, in the order of its parameters.
+class ArgumentList final : public BuiltinCall {
+public:
+  ArgumentList(Evaluator& evaluator, std::string_view name, const Signature& signature, Span place);
+
+  /// Evaluates the arguments of a call node and checks them; false after a mistake, or where one is poison.
+  bool read(NodeId node, const Context& context);
+  /// The same for values that are there already.
+  bool take(std::vector<Value> values);
+
+  Heap& heap() override;
+  const SymbolTable& symbols() override;
+  Value call(const Value& function, std::vector<Value> function_arguments) override;
+  Value fail(std::size_t argument, const std::string& message, const std::string& label) override;
+  void spend(std::uint64_t steps, std::uint64_t bytes) override;
+  const Observer* observer(std::optional<std::size_t> alone) override;
+  const scene::Scene& scene() override;
+
+private:
+  bool put(std::size_t i, Value value, Span place);
+  bool are_complete();
+  bool check_type(std::size_t i);
+  Span place_of(std::size_t i) const { return i < places_.size() && places_[i].end > 0 ? places_[i] : place_; }
+
+  Evaluator& evaluator_;
+  std::string_view name_;
+  const Signature& signature_;
+  Span place_;
+  std::vector<Span> places_;
+};
+
+} // namespace rt::lang

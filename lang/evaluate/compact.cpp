@@ -1,0 +1,118 @@
+#include "lang/evaluate/compact.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace rt::lang {
+namespace {
+
+using scene::kind_of;
+
+/// Which entries of a table are in use, and their places afterwards.
+class Survey {
+public:
+  explicit Survey(std::size_t size) : new_index_(size, unused) {}
+  bool mark(std::size_t i) { return std::exchange(new_index_[i], used) == unused; }
+
+  /// Moves what is used to the front; true if anything goes.
+  template <class T>
+  bool compact(std::vector<T>& table) {
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (new_index_[i] == unused) continue;
+      if (count != i) table[count] = std::move(table[i]);
+      new_index_[i] = count++;
+    }
+    const bool shrinks = count < table.size();
+    table.erase(table.begin() + count, table.end());
+    return shrinks;
+  }
+  std::uint32_t operator[](std::size_t i) const { return new_index_[i]; }
+
+private:
+  static constexpr std::uint32_t unused = 0xffffffff, used = 0xfffffffe;
+  std::vector<std::uint32_t> new_index_;
+};
+
+class Sweep {
+public:
+  explicit Sweep(scene::Scene& scene)
+      : scene_(scene), materials_(scene.materials.size()), patterns_(scene.patterns.size()),
+        turns_(scene.turns.size()) {
+    scene::ShapeKinds::for_each([&]<class S>() { shapes_.emplace_back(scene.shapes.all<S>().size()); });
+  }
+
+  void run() {
+    pending_.push_back(&scene_.objects);
+    while (!pending_.empty()) {
+      const std::vector<scene::Object>* objects = pending_.back();
+      pending_.pop_back();
+      for (const scene::Object& object : *objects) mark(object);
+    }
+    std::size_t kind = 0;
+    scene::ShapeKinds::for_each([&]<class S>() { shapes_[kind++].compact(scene_.shapes.all<S>()); });
+    materials_.compact(scene_.materials);
+    patterns_.compact(scene_.patterns);
+    turns_.compact(scene_.turns);
+    renumber(scene_.objects);
+    for (scene::Group& group : scene_.shapes.all<scene::Group>()) renumber(group.members);
+    for (scene::Combination& combination : scene_.shapes.all<scene::Combination>()) renumber(combination.operands);
+    for (scene::Material& material : scene_.materials) {
+      for (scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission})
+        renumber(*paint);
+    }
+    for (scene::Pattern& pattern : scene_.patterns) renumber(pattern.a), renumber(pattern.b);
+  }
+
+private:
+  void mark(const scene::Object& object) {
+    if (object.turn != scene::no_turn) turns_.mark(static_cast<std::size_t>(object.turn));
+    if (object.material != scene::no_material) mark(object.material);
+    if (!shapes_[object.shape.kind].mark(object.shape.index)) return;
+    if (object.shape.kind == kind_of<scene::Group>)
+      pending_.push_back(&scene_.shapes.get<scene::Group>(object.shape).members);
+    if (object.shape.kind == kind_of<scene::Combination>)
+      pending_.push_back(&scene_.shapes.get<scene::Combination>(object.shape).operands);
+  }
+  void mark(scene::MaterialId id) {
+    if (!materials_.mark(static_cast<std::size_t>(id))) return;
+    const scene::Material& material = scene_.materials[static_cast<std::size_t>(id)];
+    for (const scene::Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission})
+      mark(*paint);
+  }
+  void mark(const scene::Paint& paint) {
+    const scene::PatternId* id = std::get_if<scene::PatternId>(&paint);
+    if (!id || !patterns_.mark(static_cast<std::size_t>(*id))) return;
+    const scene::Pattern& pattern = scene_.patterns[static_cast<std::size_t>(*id)];
+    mark(pattern.a);
+    mark(pattern.b);
+  }
+
+  void renumber(std::vector<scene::Object>& objects) const {
+    for (scene::Object& object : objects) {
+      object.shape.index = shapes_[object.shape.kind][object.shape.index];
+      if (object.turn != scene::no_turn) object.turn = scene::TurnId{turns_[static_cast<std::size_t>(object.turn)]};
+      if (object.material != scene::no_material)
+        object.material = scene::MaterialId{materials_[static_cast<std::size_t>(object.material)]};
+    }
+  }
+  void renumber(scene::Paint& paint) const {
+    if (const scene::PatternId* id = std::get_if<scene::PatternId>(&paint))
+      paint = scene::PatternId{patterns_[static_cast<std::size_t>(*id)]};
+  }
+
+  scene::Scene& scene_;
+  std::vector<Survey> shapes_; // by kind
+  Survey materials_, patterns_, turns_;
+  std::vector<const std::vector<scene::Object>*> pending_;
+};
+
+} // namespace
+
+void drop_leftovers(scene::Scene& scene) {
+  Sweep(scene).run();
+}
+
+} // namespace rt::lang

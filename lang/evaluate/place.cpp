@@ -1,0 +1,289 @@
+#include "lang/evaluate/evaluator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rt::lang {
+namespace {
+
+/// Memory for a shape or light that is being made.
+class Room {
+public:
+  explicit Room(const Maker& maker) : maker_(maker) { maker_.construct(memory_); }
+  Room(const Room&) = delete;
+  Room& operator=(const Room&) = delete;
+  ~Room() { maker_.destroy(memory_); }
+  void* get() { return memory_; }
+
+private:
+  const Maker& maker_;
+  alignas(std::max_align_t) std::byte memory_[maker_room];
+};
+
+Span place_of(std::span<const PropertyValue> properties, const Noun& noun, std::string_view property, Span otherwise) {
+  for (const PropertyValue& p : properties) {
+    if ((p.id & parameter_bit) == 0 && noun.properties[p.id].name == property) return p.span;
+  }
+  return otherwise;
+}
+
+} // namespace
+
+bool Evaluator::is_poisoned(std::span<const PropertyValue> properties) {
+  return std::ranges::any_of(properties, [](const PropertyValue& p) { return p.value.is_poison(); });
+}
+
+void Evaluator::put_simple(NodeId node, const Context& context, Target& target) {
+  const Noun& noun = program_.nouns[static_cast<std::size_t>(context.ast()[node].extra - 1)];
+  PropertyList properties;
+  simple_properties(node, context, noun, properties);
+  put_thing({&noun, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
+}
+
+void Evaluator::put_thing(const Described& described, Target& target) {
+  const Noun& noun = *described.noun;
+  if (target.kind == Target::Kind::discarded) return;
+  if (target.kind == Target::Kind::bare) {
+    if (!target.properties) return; // the block of something in error
+    const Noun& owner = *target.properties->noun;
+    const std::string_view whose = target.properties->def ? name(target.properties->def->name) : owner.name;
+    fail("E0405", described.place, fmt::format("things cannot be put into `{}`", whose), {},
+         "a `group` and the combinations take things; other blocks hold properties only");
+    return;
+  }
+  switch (noun.category) {
+  case Category::shape:
+  case Category::group:
+  case Category::combination:
+    return put_shape(described, target);
+  case Category::light:
+    return put_light(described, target);
+  case Category::camera:
+    return put_camera(described, target);
+  default:
+    break;
+  }
+  fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", noun.name), {},
+       noun.category == Category::material ? "keep it with `name = …`, or write it after `material:`"
+                                           : "write it after `material:`, or as a material's `color`");
+}
+
+bool Evaluator::make(const Described& described, void* room) {
+  const Noun& noun = *described.noun;
+  for (const PropertyValue& p : described.properties) {
+    const Property& property = noun.properties[p.id];
+    if (property.common == Common::none) property.field->set(room, builder_.field_value(property, p.value));
+  }
+  const std::optional<scene::Problem> problem = noun.maker.check(room);
+  if (!problem) return true;
+  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message, {},
+       problem->advice);
+  return false;
+}
+
+std::optional<scene::ShapeRef> Evaluator::shape(const Described& described) {
+  if (described.thing && described.thing->shape) return described.thing->shape;
+  Room room(described.noun->maker);
+  if (!make(described, room.get())) return std::nullopt;
+  const scene::ShapeRef made = described.noun->maker.add(scene_.shapes, room.get());
+  if (described.thing) described.thing->shape = made;
+  return made;
+}
+
+// Of a thing that is about to be copied: its copies will share it.
+std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
+  if (thing.shape || unsure_ > 0 || is_poisoned(thing.properties)) return thing.shape;
+  Room room(thing.noun->maker);
+  for (const PropertyValue& p : thing.properties) {
+    const Property& property = thing.noun->properties[p.id];
+    if (property.common == Common::none) property.field->set(room.get(), builder_.field_value(property, p.value));
+  }
+  if (thing.noun->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
+  thing.shape = thing.noun->maker.add(scene_.shapes, room.get());
+  has_leftovers_ = true;
+  return thing.shape;
+}
+
+std::optional<Dress> Evaluator::dress(const Described& described, const Content* content) {
+  Dress dress;
+  const auto put_on = [&](std::span<const PropertyValue> properties) {
+    for (const PropertyValue& p : properties) {
+      if ((p.id & parameter_bit) != 0) continue;
+      const Property& property = described.noun->properties[p.id];
+      if (property.common != Common::none) builder_.put_on(dress, property, p.value);
+    }
+  };
+  if (content) put_on(content->defaults);
+  put_on(described.properties);
+  return dress;
+}
+
+void Evaluator::put_shape(const Described& described, Target& target) {
+  if (unsure_ > 0 || is_poisoned(described.properties)) return;
+  ++target.things;
+  const Noun& noun = *described.noun;
+  Ref<Content> inside;
+  if (noun.is_composite()) {
+    if (described.thing) inside = content(*described.thing);
+    if (!inside || inside->is_nothing) {
+      const bool is_open_end = noun.category == Category::combination &&
+                               noun.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
+      if (is_open_end) {
+        fail("E0407", described.place, fmt::format("the block of this {} holds no solid", noun.name));
+        return;
+      }
+    }
+    if (inside && is_poisoned(inside->defaults)) return;
+  }
+  const auto clothes = dress(described, inside.get());
+  const bool is_missing = !clothes->is_visible || (inside && inside->is_nothing);
+  if (target.noun && target.noun->category == Category::combination && is_missing) {
+    target.is_one_missing = true;
+    if (target.things == 1) target.is_first_missing = true;
+  }
+  if (!clothes->is_visible) return;
+  const auto turn = builder_.turn(*clothes, described.chain);
+  if (!turn) {
+    fail("E0406", described.place,
+         "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
+    return;
+  }
+  if (inside && !inside->lights.empty()) put_lights_of(*inside, *clothes, described, target);
+  if (inside && inside->is_nothing) return;
+  std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, noun, described.place) : shape(described);
+  if (!made) return;
+  if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
+  if (target.noun && target.noun->category == Category::combination) {
+    if (!is_operand(described, *made)) return;
+    made = builder_.united(*made);
+    remember_places(described.place);
+  }
+  count_objects(1, described.place);
+  target.depth = std::max<std::uint16_t>(target.depth, inside ? inside->depth : 0);
+  scene::Object& object = target.objects->emplace_back();
+  object.at = clothes->at;
+  object.shape = *made;
+  object.turn = *turn;
+  object.material = clothes->material;
+  object.name = clothes->name;
+  if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
+  object.origin = builder_.origin(described.place);
+  object.casts_shadow = clothes->casts_shadow;
+}
+
+std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const Noun& noun, Span place) {
+  if (content.shape) return content.shape;
+  if (noun.category == Category::group) {
+    content.shape = scene_.shapes.add(scene::Group{std::move(content.members)});
+  } else {
+    content.shape = scene_.shapes.add(scene::Combination{noun.operation, std::move(content.members)});
+    remember_places(place);
+  }
+  content.members = {};
+  return content.shape;
+}
+
+// Every combination that was made since is said to be written here.
+void Evaluator::remember_places(Span place) {
+  combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place);
+}
+
+// A solid whose material lets light through and does not say how it bends it.
+void Evaluator::remark_medium(const Described& described, const Content* content, scene::ShapeRef made) {
+  const Value* material = nullptr;
+  const auto look = [&](std::span<const PropertyValue> properties) {
+    for (const PropertyValue& p : properties) {
+      if ((p.id & parameter_bit) == 0 && described.noun->properties[p.id].common == Common::material)
+        material = &p.value;
+    }
+  };
+  if (content) look(content->defaults);
+  look(described.properties);
+  if (!material || !material->is(ValueKind::thing) || material->thing().noun->category != Category::material) return;
+  const Thing& thing = material->thing();
+  const PropertyValue* refract = thing.find(*thing.noun->find(std::string_view("refract")));
+  const PropertyValue* ior = thing.find(*thing.noun->find(std::string_view("ior")));
+  const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
+  if (!bends_nothing || !builder_.open_part(made).empty()) return;
+  if (Diagnostic* d = report_.remark("W0106", refract->span)) {
+    d->message = "`refract` without `ior`: light goes straight through this solid";
+    d->label = "`ior` is 1 unless it is written";
+    d->notes.push_back({std::nullopt, "write `ior: 1.5` for glass, `ior: 1.33` for water, or `ior: 1` if it is meant"});
+  }
+}
+
+bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
+  const std::string_view open = builder_.open_part(made);
+  if (open.empty()) return true;
+  const bool is_itself = open == described.noun->name;
+  fail("E0401", described.place,
+       is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
+                 : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined",
+                               open, described.noun->name),
+       {},
+       "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of "
+       "these");
+  return false;
+}
+
+void Evaluator::put_lights_of(const Content& inside, const Dress& clothes, const Described& described, Target& target) {
+  if (target.noun && target.noun->category == Category::combination) {
+    fail("E0402", described.place,
+         fmt::format("there is a light in this {}, and light is no solid", described.noun->name));
+    return;
+  }
+  const bool is_placed = clothes.at != Vec3{} || clothes.rotate != Vec3{} || clothes.scale != Vec3{1, 1, 1} ||
+                         (described.chain && !described.chain->steps.empty());
+  count_objects(inside.lights.size(), described.place);
+  for (const scene::Light& light : inside.lights) {
+    scene::Light& copy = target.lights->emplace_back(light);
+    if (!is_placed) continue;
+    copy.enclosing.push_back({clothes.scale, clothes.rotate, clothes.at,
+                              described.chain ? described.chain->steps : std::vector<scene::Step>{}});
+  }
+}
+
+void Evaluator::put_light(const Described& described, Target& target) {
+  if (unsure_ > 0 || is_poisoned(described.properties)) return;
+  ++target.things;
+  const Noun& noun = *described.noun;
+  if (target.noun && target.noun->category == Category::combination) {
+    fail("E0402", described.place, fmt::format("a {} is no solid: it cannot be combined", noun.name));
+    return;
+  }
+  Room room(noun.maker);
+  if (!make(described, room.get())) return;
+  const auto clothes = dress(described, nullptr);
+  count_objects(1, described.place);
+  scene::Light& light = target.lights->emplace_back();
+  light.source = noun.maker.light(room.get());
+  if (described.chain) light.chain = described.chain->steps;
+  light.name = clothes->name;
+  if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
+  light.origin = builder_.origin(described.place);
+}
+
+void Evaluator::put_camera(const Described& described, Target& target) {
+  if (target.kind != Target::Kind::scene) {
+    fail("E0403", described.place, "a camera stands at the top level, not inside a thing");
+    return;
+  }
+  if (unsure_ > 0) return;
+  if (camera_place_) {
+    if (Diagnostic* d = error("E0404", described.place)) {
+      d->message = "there is a camera already, and a scene has one";
+      d->notes.push_back({*camera_place_, "the first one is here"});
+    }
+    return;
+  }
+  camera_place_ = described.place;
+  if (is_poisoned(described.properties)) return;
+  Room room(described.noun->maker);
+  if (!make(described, room.get())) return;
+  scene_.camera = *static_cast<const scene::Camera*>(room.get());
+  scene_.camera_origin = builder_.origin(described.place);
+}
+
+} // namespace rt::lang

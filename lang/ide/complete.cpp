@@ -1,0 +1,254 @@
+#include "lang/ide/complete.hpp"
+
+#include "lang/builtins/builtins.hpp"
+#include "lang/check/program.hpp"
+#include "lang/text/tokens.hpp"
+#include "lang/text/words.hpp"
+#include "lang/values/css_colors.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace rt::lang {
+namespace {
+
+constexpr std::string_view statement_words[] = {"def", "fn", "for", "if", "include", "param", "use"};
+constexpr std::string_view expression_words[] = {"and", "else", "false", "fn", "if", "in", "none", "not", "or", "true"};
+
+// A bracket that is open at the cursor. `owner` is the name before a `{` that opens the block of a thing.
+struct Open {
+  char bracket = '{';
+  std::string_view owner;
+  bool holds_statements = false;
+};
+
+// Where the cursor stands, as far as the text before it tells.
+struct Place {
+  std::size_t begin = 0;     // of the word that is being typed
+  std::string_view before;   // the token before that word; empty at the beginning of a line
+  std::string_view property; // whose value is being typed
+  std::vector<Open> open;
+  bool is_text = false; // in a string or a comment, or in a number
+};
+
+class Scanner {
+public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  Place run() {
+    place_.begin = text_.size();
+    std::uint32_t at = 0;
+    while (true) {
+      const Token token = next_token(text_, at);
+      if (token.kind == TokenKind::end) break;
+      at = token.end;
+      if (token.end == text_.size() && ends_place(token)) break;
+      take(token);
+    }
+    return std::move(place_);
+  }
+
+private:
+  // The token that the cursor touches: a word is what is being completed, the inside of a text takes no words.
+  bool ends_place(const Token& token) {
+    switch (token.kind) {
+    case TokenKind::name:
+      place_.begin = token.begin;
+      return true;
+    case TokenKind::line_comment:
+    case TokenKind::number:
+    case TokenKind::color:
+      place_.is_text = true;
+      return true;
+    case TokenKind::string:
+      place_.is_text = token.end - token.begin < 2 || text_.back() != '"';
+      return place_.is_text;
+    default:
+      return false;
+    }
+  }
+
+  void take(const Token& token) {
+    const std::string_view word = text_of(text_, token);
+    switch (token.kind) {
+    case TokenKind::newline:
+    case TokenKind::separator:
+      place_.before = {};
+      place_.property = {};
+      first_ = {};
+      return;
+    case TokenKind::line_comment:
+    case TokenKind::block_comment:
+      return;
+    case TokenKind::open:
+      open(word.front());
+      break;
+    case TokenKind::close:
+      if (!place_.open.empty()) place_.open.pop_back();
+      break;
+    case TokenKind::name:
+      if (first_.empty()) first_ = word;
+      last_name_ = word;
+      break;
+    case TokenKind::symbol:
+      if (word == ":") place_.property = last_name_;
+      break;
+    default:
+      break;
+    }
+    place_.before = word;
+  }
+
+  void open(char bracket) {
+    Open opened{bracket, {}, false};
+    if (bracket == '{') {
+      const bool is_body = first_ == "for" || first_ == "if" || first_ == "else" || place_.before == "else";
+      if (first_ == "def")
+        opened = {bracket, "group", true};
+      else if (is_body)
+        opened = place_.open.empty() ? Open{bracket, {}, true} : Open{bracket, place_.open.back().owner, true};
+      else if (place_.before == last_name_)
+        opened.owner = last_name_;
+    }
+    place_.open.push_back(opened);
+    place_.property = {};
+    first_ = {};
+  }
+
+  std::string_view text_, first_, last_name_; // the first word of the statement, the last of all
+  Place place_;
+};
+
+class Candidates {
+public:
+  explicit Candidates(const Session& session) : session_(session), nouns_(session.program().nouns) {}
+
+  void add(std::string_view word) { words_.emplace_back(word); }
+  void add_all(const std::vector<std::string>& words) { words_.insert(words_.end(), words.begin(), words.end()); }
+  void add_nouns() {
+    for (const Noun& noun : nouns_.all()) add(noun.name);
+  }
+  void add_scene_properties() {
+    for (const Property& property : nouns_.scene().properties) add(property.name);
+  }
+  void add_values() {
+    add_all(session_.names());
+    for (const Builtin* builtin : all_builtins()) add(builtin->name);
+    for (const Constant& constant : constants()) add(constant.name);
+    for (const Program::LibraryName& name : session_.program().library_names)
+      add(session_.program().symbols.name(name.name));
+  }
+  void add_colors() {
+    for (const CssColor& color : css_colors()) add(color.name);
+  }
+
+  void add_place(const Place& place) {
+    if (place.before == ".") {
+      for (const ChainMethod& method : chain_methods()) add(method.name);
+    } else if (place.open.empty() || (place.open.back().bracket == '{' && begins_item(place))) {
+      add_item(place);
+    } else {
+      add_expression(place);
+    }
+  }
+
+  SessionCompletion beginning_with(std::string_view start, std::size_t begin) {
+    std::erase_if(words_, [&](const std::string& word) { return !word.starts_with(start); });
+    std::sort(words_.begin(), words_.end());
+    words_.erase(std::unique(words_.begin(), words_.end()), words_.end());
+    return {begin, std::move(words_)};
+  }
+
+private:
+  static bool begins_item(const Place& place) { return place.before.empty() || place.before == "{"; }
+
+  // A statement, or a property of the thing whose block it is.
+  void add_item(const Place& place) {
+    if (!begins_item(place)) return add_expression(place);
+    const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
+    if (!owner.empty())
+      add_all(session_.properties_of(owner));
+    else if (place.open.empty())
+      add_scene_properties();
+    const Noun* noun = nouns_.find(owner);
+    const bool holds_things = owner.empty() || !noun || noun->is_composite() || place.open.back().holds_statements;
+    if (!holds_things) return;
+    for (const std::string_view word : statement_words) add(word);
+    add_nouns();
+    add_values();
+  }
+
+  const Property* find_property(const Place& place) const {
+    if (place.property.empty()) return nullptr;
+    const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
+    const Noun* noun = place.open.empty() ? &nouns_.scene() : session_.noun_of(owner);
+    if (!noun) return nullptr;
+    const auto id = noun->find(place.property);
+    return id ? &noun->properties[*id] : nullptr;
+  }
+
+  void add_expression(const Place& place) {
+    add_values();
+    const Property* property = find_property(place);
+    if (!property) {
+      add_nouns();
+      add_colors();
+      for (const std::string_view word : expression_words) add(word);
+      return;
+    }
+    add("if");
+    switch (property->type) {
+    case PropertyType::boolean:
+      add("true");
+      add("false");
+      break;
+    case PropertyType::choice:
+      for (const std::string_view choice : property->choices) add(choice);
+      break;
+    case PropertyType::material:
+    case PropertyType::paint:
+    case PropertyType::number_paint:
+      for (const Noun& noun : nouns_.all())
+        if (noun.category == Category::pattern || noun.category == Category::material) add(noun.name);
+      add_colors();
+      break;
+    case PropertyType::color:
+      add_colors();
+      break;
+    default:
+      break;
+    }
+  }
+
+  const Session& session_;
+  const Nouns& nouns_;
+  std::vector<std::string> words_;
+};
+
+} // namespace
+
+SessionCompletion complete(const Session& session, std::string_view text, std::size_t cursor) {
+  const std::string_view before = text.substr(0, cursor);
+  const Place place = Scanner(before).run();
+  if (place.is_text) return {cursor, {}};
+  Candidates candidates(session);
+  candidates.add_place(place);
+  return candidates.beginning_with(before.substr(place.begin), place.begin);
+}
+
+std::vector<std::string> documented_words(const Session& session) {
+  std::vector<std::string> words;
+  const Nouns& nouns = session.program().nouns;
+  for (const Noun& noun : nouns.all()) {
+    words.emplace_back(noun.name);
+    for (const Property& property : noun.properties) words.emplace_back(property.name);
+  }
+  for (const Builtin* builtin : all_builtins()) words.emplace_back(builtin->name);
+  for (const Constant& constant : constants()) words.emplace_back(constant.name);
+  for (const ChainMethod& method : chain_methods()) words.emplace_back(method.name);
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+  return words;
+}
+
+} // namespace rt::lang

@@ -1,0 +1,214 @@
+#include "lang/values/node_types.hpp"
+
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace rt::lang {
+namespace {
+
+using scene::Field;
+using scene::FieldType;
+
+static_assert(static_cast<int>(PropertyType::resolution) == static_cast<int>(FieldType::resolution));
+
+Property from_field(const Field& f) {
+  return {
+      f.name, static_cast<PropertyType>(f.type), Common::none, f.form, f.constraint, f.default_text, f.help, f.choices,
+      &f};
+}
+
+std::vector<Property> from_fields(std::span<const Field> fields) {
+  std::vector<Property> properties;
+  for (const Field& f : fields) properties.push_back(from_field(f));
+  return properties;
+}
+
+constexpr scene::Constraint turns_nothing_flat{.is_nonzero = true};
+
+Property at() {
+  return {"at", PropertyType::vector, Common::at, 0, {}, "[0, 0, 0]", "where it stands", {}, nullptr};
+}
+Property rotate() {
+  return {"rotate",
+          PropertyType::vector,
+          Common::rotate,
+          0,
+          {},
+          "[0, 0, 0]",
+          "turned about the x, then the y, then the z axis, degrees",
+          {},
+          nullptr};
+}
+Property scale() {
+  return {"scale",
+          PropertyType::size,
+          Common::scale,
+          0,
+          turns_nothing_flat,
+          "1",
+          "enlarged, one number or one for each axis",
+          {},
+          nullptr};
+}
+Property name() {
+  return {"name", PropertyType::text, Common::name, 0, {}, "", "what reports call it", {}, nullptr};
+}
+
+void append_placement(std::vector<Property>& properties) {
+  for (const Property& p : {at(), rotate(), scale()}) properties.push_back(p);
+}
+
+void append_common(std::vector<Property>& properties) {
+  append_placement(properties);
+  properties.push_back({"material",
+                        PropertyType::material,
+                        Common::material,
+                        0,
+                        {},
+                        "",
+                        "its surface: a material, a colour or a pattern; else that of the composite around it",
+                        {},
+                        nullptr});
+  properties.push_back(name());
+  properties.push_back(
+      {"visible", PropertyType::boolean, Common::visible, 0, {}, "true", "false: absent altogether", {}, nullptr});
+  properties.push_back({"casts_shadow",
+                        PropertyType::boolean,
+                        Common::casts_shadow,
+                        0,
+                        {},
+                        "true",
+                        "false: light passes through it as if it were not there",
+                        {},
+                        nullptr});
+}
+
+template <class T>
+Maker basic_maker() {
+  static_assert(alignof(T) <= alignof(std::max_align_t));
+  Maker m;
+  m.size = sizeof(T);
+  m.construct = [](void* memory) { new (memory) T; };
+  m.destroy = [](void* memory) { static_cast<T*>(memory)->~T(); };
+  m.check = [](const void* made) { return check(*static_cast<const T*>(made)); };
+  return m;
+}
+
+template <class S>
+Noun shape_noun() {
+  Noun noun{
+      S::noun, Category::shape, S::help, from_fields(fields(static_cast<const S*>(nullptr))), basic_maker<S>(), {}, {},
+      {}};
+  noun.maker.add = [](scene::Shapes& shapes, void* made) { return shapes.add(std::move(*static_cast<S*>(made))); };
+  noun.maker.is_solid = [](const void* made) { return is_solid(geometry(*static_cast<const S*>(made))); };
+  append_common(noun.properties);
+  return noun;
+}
+
+template <class L>
+Noun light_noun(std::string_view noun_name, std::string_view help) {
+  Noun noun{
+      noun_name, Category::light, help, from_fields(fields(static_cast<const L*>(nullptr))), basic_maker<L>(), {}, {},
+      {}};
+  noun.maker.light = [](const void* made) -> scene::LightSource { return *static_cast<const L*>(made); };
+  noun.properties.push_back(name());
+  return noun;
+}
+
+Noun composite_noun(std::string_view noun_name, Category category, std::string_view help,
+                    scene::Combination::Operation operation = scene::Combination::Operation::unite) {
+  Noun noun{noun_name, category, help, {}, {}, operation, {}, {}};
+  append_common(noun.properties);
+  return noun;
+}
+
+Noun pattern_noun(std::string_view noun_name, scene::PatternKind kind, std::string_view help) {
+  Noun noun{noun_name, Category::pattern, help, from_fields(scene::pattern_fields()), {}, {}, kind, {}};
+  append_placement(noun.properties);
+  return noun;
+}
+
+} // namespace
+
+Nouns::Nouns() {
+  using Operation = scene::Combination::Operation;
+  scene::ShapeKinds::for_each([&]<class S>() {
+    if constexpr (!std::is_same_v<S, scene::Group> && !std::is_same_v<S, scene::Combination>)
+      nouns_.push_back(shape_noun<S>());
+  });
+  nouns_.push_back(composite_noun("group", Category::group, "things that are placed together"));
+  nouns_.push_back(
+      composite_noun("union", Category::combination, "solids as one, also written a | b", Operation::unite));
+  nouns_.push_back(composite_noun("intersection", Category::combination, "what solids share, also written a & b",
+                                  Operation::intersect));
+  nouns_.push_back(composite_noun("difference", Category::combination,
+                                  "the first solid without the others, also written a - b", Operation::subtract));
+  nouns_.push_back({"material",
+                    Category::material,
+                    "what a surface and its inside look like",
+                    from_fields(scene::material_fields()),
+                    {},
+                    {},
+                    {},
+                    {}});
+  nouns_.push_back(pattern_noun("checker", scene::PatternKind::checker, "cubes of one unit, in two colours by turns"));
+  nouns_.push_back(
+      light_noun<scene::PointLight>("light", "a lamp that shines from a point, equally in all directions"));
+  nouns_.push_back(light_noun<scene::SunLight>("sun", "light from infinitely far away; it never fades"));
+  nouns_.push_back(light_noun<scene::SpotLight>("spot", "a lamp that shines within a cone"));
+  nouns_.push_back({"camera",
+                    Category::camera,
+                    "the view of the scene",
+                    from_fields(fields(static_cast<const scene::Camera*>(nullptr))),
+                    basic_maker<scene::Camera>(),
+                    {},
+                    {},
+                    {}});
+  scene_ = {"scene",
+            Category::scene,
+            "the scene itself: properties at the top level",
+            from_fields(fields(static_cast<const scene::Scene*>(nullptr))),
+            {},
+            {},
+            {},
+            {}};
+  group_ = find("group");
+  material_ = find("material");
+}
+
+void Nouns::intern(SymbolTable& symbols) {
+  const auto index_properties = [&](Noun& noun) {
+    noun.by_symbol.clear();
+    for (std::size_t i = 0; i < noun.properties.size(); ++i) {
+      const auto symbol = static_cast<std::size_t>(symbols.intern(noun.properties[i].name));
+      if (symbol >= noun.by_symbol.size()) noun.by_symbol.resize(symbol + 1);
+      noun.by_symbol[symbol] = static_cast<std::uint8_t>(i + 1);
+    }
+  };
+  for (Noun& noun : nouns_) index_properties(noun);
+  index_properties(scene_);
+}
+
+const Noun* Nouns::find(std::string_view noun_name) const {
+  for (const Noun& noun : nouns_) {
+    if (noun.name == noun_name) return &noun;
+  }
+  return nullptr;
+}
+
+const Noun& Nouns::combination(scene::Combination::Operation operation) const {
+  for (const Noun& noun : nouns_) {
+    if (noun.category == Category::combination && noun.operation == operation) return noun;
+  }
+  return nouns_.front(); // not reached: every operation has its noun
+}
+
+std::optional<std::uint16_t> Noun::find(std::string_view property) const {
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    if (properties[i].name == property) return static_cast<std::uint16_t>(i);
+  }
+  return std::nullopt;
+}
+
+} // namespace rt::lang

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "lang/text/symbol.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace rt::lang {
+
+/// What sort of thing a noun names.
+enum class Category : std::uint8_t { shape, group, combination, material, pattern, light, camera, scene };
+
+/// The type of a property: those of the description's fields (same order), and what only the language has.
+enum class PropertyType : std::uint8_t {
+  number,
+  boolean,
+  vector,
+  size,
+  color,
+  paint,
+  number_paint,
+  points,
+  choice,
+  fade,
+  resolution,
+  material,
+  text,
+};
+
+/// Properties that no field table lists, because they are not parameters of the shape itself.
+enum class Common : std::uint8_t { none, at, rotate, scale, material, name, visible, casts_shadow };
+
+/// One property of a noun, from its field table or from those that all shapes (patterns, lights) have.
+struct Property {
+  std::string_view name;
+  PropertyType type = PropertyType::number;
+  Common common = Common::none;
+  int form = 0;
+  scene::Constraint constraint;
+  std::string_view default_text;
+  std::string_view help;
+  std::span<const std::string_view> choices;
+  const scene::Field* field = nullptr; ///< where `common` is none
+};
+
+/// How a shape or light of a kind known only at run time is made: in memory of `size` bytes aligned to
+/// `std::max_align_t`.
+struct Maker {
+  std::size_t size = 0;
+  void (*construct)(void* memory) = nullptr;
+  void (*destroy)(void* memory) = nullptr;
+  std::optional<scene::Problem> (*check)(const void* made) = nullptr;
+  scene::ShapeRef (*add)(scene::Shapes& shapes, void* made) = nullptr; ///< moves it; shapes only
+  bool (*is_solid)(const void* made) = nullptr;                        ///< shapes only; what passes `check`
+  scene::LightSource (*light)(const void* made) = nullptr;             ///< lights only
+};
+
+/// A built-in noun.
+struct Noun {
+  std::string_view name;
+  Category category = Category::shape;
+  std::string_view help;
+  std::vector<Property> properties;
+  Maker maker;
+  scene::Combination::Operation operation = scene::Combination::Operation::unite;
+  scene::PatternKind pattern = scene::PatternKind::checker;
+  std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `Nouns::intern`
+
+  /// Position in `properties`, or nothing. By symbol once the names are interned.
+  std::optional<std::uint16_t> find(std::string_view property) const;
+  std::optional<std::uint16_t> find(Symbol property) const {
+    const auto i = static_cast<std::size_t>(property);
+    if (i >= by_symbol.size() || by_symbol[i] == 0) return std::nullopt;
+    return static_cast<std::uint16_t>(by_symbol[i] - 1);
+  }
+  bool is_placeable() const { return category <= Category::combination || category == Category::light; }
+  bool is_shape() const { return category <= Category::combination; }
+  bool is_composite() const { return category == Category::group || category == Category::combination; }
+  bool has_chain() const { return is_placeable() || category == Category::pattern; }
+};
+
+/// The table of all built-in nouns, assembled from the field tables of the scene description: nothing here knows what
+/// properties a sphere has. References to its nouns stay valid as long as it lives.
+class Nouns {
+public:
+  Nouns();
+  /// Interns all names of nouns, properties and choices, and fills the nouns' `by_symbol`. To be called first on a
+  /// table, so that the symbols are small.
+  void intern(SymbolTable& symbols);
+
+  std::span<const Noun> all() const { return nouns_; }
+  const Noun* find(std::string_view name) const;
+  const Noun& operator[](std::size_t i) const { return nouns_[i]; }
+  std::size_t index(const Noun& noun) const { return static_cast<std::size_t>(&noun - nouns_.data()); }
+
+  const Noun& group() const { return *group_; }
+  const Noun& material() const { return *material_; }
+  const Noun& combination(scene::Combination::Operation operation) const;
+  /// The scene itself, whose properties stand at the top level; it is not a name that can be written.
+  const Noun& scene() const { return scene_; }
+
+private:
+  std::vector<Noun> nouns_;
+  Noun scene_;
+  const Noun* group_ = nullptr;
+  const Noun* material_ = nullptr;
+};
+
+/// Room for any shape or light that a `Maker` makes.
+inline constexpr std::size_t maker_room = [] {
+  std::size_t room = 0;
+  scene::ShapeKinds::for_each([&]<class S>() { room = room < sizeof(S) ? sizeof(S) : room; });
+  return room < sizeof(scene::LightSource) ? sizeof(scene::LightSource) : room;
+}();
+
+} // namespace rt::lang

@@ -1,0 +1,332 @@
+#include "lang/values/properties.hpp"
+
+#include "lang/values/builtin.hpp"
+#include "lang/values/css_colors.hpp"
+#include "lang/values/thing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rt::lang {
+namespace {
+
+bool has_category(const Value& value, Category category) {
+  return value.is(ValueKind::thing) && value.thing().noun->category == category;
+}
+
+Mistake wrong_type(const Property& property, const Value& value) {
+  std::string wanted(describe(property.type));
+  if (property.type == PropertyType::choice) {
+    wanted.clear();
+    for (std::size_t i = 0; i < property.choices.size(); ++i) {
+      if (i > 0) wanted += i + 1 == property.choices.size() ? " or " : ", ";
+      wanted += fmt::format("`{}`", property.choices[i]);
+    }
+  }
+  return {"E0301", fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)),
+          "this is " + describe(value)};
+}
+
+std::string bounds_text(const scene::Constraint& c) {
+  const auto low = fmt::format("{} {}", c.min_is_excluded ? "greater than" : "at least", format_number(c.min));
+  const auto high = fmt::format("{} {}", c.max_is_excluded ? "less than" : "at most", format_number(c.max));
+  if (std::isinf(c.max)) return c.min == 0 && !c.min_is_excluded ? "must not be negative" : "must be " + low;
+  if (std::isinf(c.min)) return "must be " + high;
+  if (!c.min_is_excluded && !c.max_is_excluded)
+    return fmt::format("must be from {} to {}", format_number(c.min), format_number(c.max));
+  return fmt::format("must be {} and {}", low, high);
+}
+
+Mistake out_of_bounds(const Property& property, const std::string& rule, double number) {
+  return {"E0302", fmt::format("`{}` {}", property.name, rule), "this is " + format_number(number)};
+}
+
+std::optional<Mistake> check_number(const Property& property, double number) {
+  const scene::Constraint& c = property.constraint;
+  if (!std::isfinite(number)) {
+    return Mistake{"E0303", fmt::format("`{}` is not a finite number", property.name),
+                   "this is " + format_number(number)};
+  }
+  const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
+  const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
+  if (is_low || is_high) return out_of_bounds(property, bounds_text(c), number);
+  if (c.is_whole && number != std::floor(number)) return out_of_bounds(property, "must be a whole number", number);
+  return std::nullopt;
+}
+
+std::optional<Mistake> check_numbers(const Property& property, const Vec3& v, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (auto mistake = check_number(property, v[i])) return mistake;
+  }
+  return std::nullopt;
+}
+
+Mistake must_not_be_zero(const Property& property, bool is_scale) {
+  if (!is_scale) return {"E0302", fmt::format("`{}` must have a direction", property.name), "this has length 0"};
+  return {"E0406", fmt::format("`{}` must not be 0: that flattens the thing", property.name), "this is 0"};
+}
+
+/// Why a value is no vector of three numbers.
+Mistake no_vector(const Property& property, const Value& value) {
+  Mistake mistake = wrong_type(property, value);
+  if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
+  if (!value.is(ValueKind::list)) return mistake;
+  const std::vector<Value>& items = value.items();
+  if (items.size() != 3) mistake.label = fmt::format("this has {} elements", items.size());
+  for (std::size_t i = 0; i < items.size() && items.size() == 3; ++i) {
+    if (!items[i].is_number()) mistake.label = fmt::format("element {} is {}", i, describe(items[i]));
+  }
+  return mistake;
+}
+
+std::optional<Mistake> check_vector(const Property& property, const Value& value) {
+  if (!value.is_vector3()) return no_vector(property, value);
+  if (auto mistake = check_numbers(property, value.vector(), 3)) return mistake;
+  if (property.constraint.is_nonzero && length(value.vector()) == 0) return must_not_be_zero(property, false);
+  return std::nullopt;
+}
+
+std::optional<Mistake> check_size(const Property& property, const Value& value) {
+  Vec3 v{1, 1, 1};
+  if (value.is_number())
+    v = {value.number(), 1, 1};
+  else if (value.is_vector3())
+    v = value.vector();
+  else
+    return no_vector(property, value);
+  if (auto mistake = check_numbers(property, v, value.is_number() ? 1 : 3)) return mistake;
+  if (property.constraint.is_nonzero && v.x * v.y * v.z == 0) return must_not_be_zero(property, true);
+  return std::nullopt;
+}
+
+std::optional<Mistake> check_color(const Property& property, const Value& value) {
+  const auto color = as_color(value);
+  if (!color) {
+    Mistake mistake = wrong_type(property, value);
+    if (value.is_vector3())
+      mistake.advice.push_back("three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`");
+    if (has_category(value, Category::material))
+      mistake.advice.push_back("a material has a colour of its own: `m.color`");
+    return mistake;
+  }
+  return check_numbers(property, {color->r, color->g, color->b}, 3);
+}
+
+/// Patterns where a number is meant hold numbers, all the way down.
+bool holds_numbers(const Thing& pattern) {
+  for (const PropertyValue& p : pattern.properties) {
+    if (pattern.noun->properties[p.id].type != PropertyType::paint) continue;
+    const bool is_fine = p.value.is_number() || (is_pattern(p.value) && holds_numbers(p.value.thing()));
+    if (!is_fine) return false;
+  }
+  return true;
+}
+
+std::optional<Mistake> check_number_paint(const Property& property, const Value& value) {
+  if (value.is_number()) return check_number(property, value.number());
+  if (!is_pattern(value)) return wrong_type(property, value);
+  if (holds_numbers(value.thing())) return std::nullopt;
+  return Mistake{"E0301", fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property.name),
+                 "this holds a colour"};
+}
+
+std::string points_text(const scene::Constraint& c) {
+  if (c.min_count == c.max_count) return fmt::format("exactly {}", c.min_count);
+  return fmt::format("at least {}", c.min_count);
+}
+
+std::optional<Mistake> check_points(const Property& property, const Value& value) {
+  if (!is_sequence(value) || value.is(ValueKind::range)) return wrong_type(property, value);
+  const std::size_t size = sequence_size(value);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Value point = sequence_at(value, i);
+    if (point.is_poison()) return std::nullopt;
+    if (!point.is_vector3()) {
+      return Mistake{"E0301", fmt::format("`{}` takes a list of points, each of three numbers", property.name),
+                     fmt::format("element {} is {}", i, describe(point))};
+    }
+    if (auto mistake = check_numbers(property, point.vector(), 3)) return mistake;
+  }
+  const auto count = static_cast<int>(std::min<std::size_t>(size, 1U << 30));
+  const scene::Constraint& c = property.constraint;
+  if (count >= c.min_count && count <= c.max_count) return std::nullopt;
+  return Mistake{"E0302", fmt::format("`{}` takes {} points", property.name, points_text(c)),
+                 fmt::format("this has {}", size)};
+}
+
+std::optional<Mistake> check_choice(const Property& property, const Value& value) {
+  if (!value.is(ValueKind::choice)) return wrong_type(property, value);
+  for (const std::string_view word : property.choices) {
+    if (word == value.choice()) return std::nullopt;
+  }
+  Mistake mistake = wrong_type(property, value);
+  mistake.message =
+      mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
+  mistake.label.clear();
+  return mistake;
+}
+
+std::optional<Mistake> check_resolution(const Property& property, const Value& value) {
+  const bool is_pair = value.is(ValueKind::vector) && value.vector_size() == 2;
+  return is_pair ? check_numbers(property, value.vector(), 2) : std::optional(wrong_type(property, value));
+}
+
+std::optional<Mistake> require(bool is_fine, const Property& property, const Value& value) {
+  return is_fine ? std::nullopt : std::optional(wrong_type(property, value));
+}
+
+} // namespace
+
+std::string_view describe(PropertyType type) {
+  switch (type) {
+  case PropertyType::number:
+    return "a number";
+  case PropertyType::boolean:
+    return "true or false";
+  case PropertyType::vector:
+    return "a vector of three numbers";
+  case PropertyType::size:
+    return "a number or a vector of three";
+  case PropertyType::color:
+    return "a colour, or a number as grey";
+  case PropertyType::paint:
+    return "a colour, a number as grey, or a pattern";
+  case PropertyType::number_paint:
+    return "a number, or a pattern of numbers";
+  case PropertyType::points:
+    return "a list of points";
+  case PropertyType::choice:
+    return "a word";
+  case PropertyType::fade:
+    return "linear(d), quadratic(d) or inverse_square";
+  case PropertyType::resolution:
+    return "two whole numbers, [width, height]";
+  case PropertyType::material:
+    return "a material, a colour or a pattern";
+  case PropertyType::text:
+    return "a string";
+  }
+  return "";
+}
+
+std::optional<Mistake> check_value(const Property& property, const Value& value) {
+  if (value.is_poison()) return std::nullopt;
+  switch (property.type) {
+  case PropertyType::number:
+    if (!value.is_number()) return wrong_type(property, value);
+    if (auto mistake = check_number(property, value.number())) return mistake;
+    if (property.constraint.is_nonzero && value.number() == 0) return out_of_bounds(property, "must not be 0", 0);
+    return std::nullopt;
+  case PropertyType::boolean:
+    return require(value.is(ValueKind::boolean), property, value);
+  case PropertyType::vector:
+    return check_vector(property, value);
+  case PropertyType::size:
+    return check_size(property, value);
+  case PropertyType::color:
+    return check_color(property, value);
+  case PropertyType::paint:
+    return is_pattern(value) ? std::nullopt : check_color(property, value);
+  case PropertyType::number_paint:
+    return check_number_paint(property, value);
+  case PropertyType::points:
+    return check_points(property, value);
+  case PropertyType::choice:
+    return check_choice(property, value);
+  case PropertyType::fade:
+    return require(value.is(ValueKind::fade) || value.is(ValueKind::none), property, value);
+  case PropertyType::resolution:
+    return check_resolution(property, value);
+  case PropertyType::material:
+    return require(is_material_like(value), property, value);
+  case PropertyType::text:
+    return require(value.is(ValueKind::string), property, value);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+Value from_paint(const Property& property, const scene::Paint& paint) {
+  const Color color = std::get<Color>(paint); // a default is never a pattern
+  return property.type == PropertyType::number_paint ? Value(color.r) : Value(color);
+}
+
+Value from_fade(const scene::Fade& fade) {
+  return fade.law == scene::Fade::Law::none ? Value() : Value(fade);
+}
+
+std::optional<Value> to_value(const Property& property, const scene::FieldValue& value) {
+  if (const double* number = std::get_if<double>(&value)) return Value(*number);
+  if (const bool* truth = std::get_if<bool>(&value)) return Value::boolean(*truth);
+  if (const Vec3* vector = std::get_if<Vec3>(&value)) return Value(*vector);
+  if (const Color* color = std::get_if<Color>(&value)) return Value(*color);
+  if (const scene::Paint* paint = std::get_if<scene::Paint>(&value)) return from_paint(property, *paint);
+  if (const scene::Choice* choice = std::get_if<scene::Choice>(&value))
+    return Value::choice(property.choices[static_cast<std::size_t>(choice->index)]);
+  if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
+  if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value))
+    return Value::point((*size)[0], (*size)[1]);
+  return std::nullopt; // a list of points, which has no value of its own
+}
+
+} // namespace
+
+std::optional<Value> default_value(const Noun& noun, const Property& property) {
+  switch (property.common) {
+  case Common::at:
+  case Common::rotate:
+    return Value(Vec3{});
+  case Common::scale:
+    return Value(Vec3{1, 1, 1});
+  case Common::visible:
+  case Common::casts_shadow:
+    return Value::boolean(true);
+  case Common::material:
+  case Common::name:
+    return std::nullopt;
+  case Common::none:
+    break;
+  }
+  const auto read = [&](const void* owner) -> std::optional<Value> {
+    const auto value = property.field->get(owner);
+    return value ? to_value(property, *value) : std::nullopt;
+  };
+  if (noun.category == Category::material) {
+    const scene::Material material;
+    return read(&material);
+  }
+  if (noun.category == Category::pattern) {
+    const scene::Pattern pattern;
+    return read(&pattern);
+  }
+  if (noun.maker.construct == nullptr) return std::nullopt;
+  alignas(std::max_align_t) std::byte room[maker_room];
+  noun.maker.construct(room);
+  const auto value = read(room);
+  noun.maker.destroy(room);
+  return value;
+}
+
+std::optional<Color> as_color(const Value& value) {
+  if (value.is(ValueKind::color)) return value.color();
+  if (value.is_number()) return grey(value.number());
+  if (value.is(ValueKind::thing) && value.thing().css_color != Thing::no_color)
+    return from_srgb8(value.thing().css_color);
+  if (value.is(ValueKind::builtin)) { // `tan`
+    if (const auto rgb = find_css_color(value.builtin()->name)) return from_srgb8(*rgb);
+  }
+  return std::nullopt;
+}
+
+bool is_pattern(const Value& value) {
+  return has_category(value, Category::pattern);
+}
+
+bool is_material_like(const Value& value) {
+  return has_category(value, Category::material) || is_pattern(value) || value.is(ValueKind::record) ||
+         (!value.is_number() && as_color(value).has_value());
+}
+
+} // namespace rt::lang

@@ -1,0 +1,297 @@
+#include "renderer/compile/compile.hpp"
+
+#include "renderer/compile/instancing.hpp"
+
+#include <cassert>
+#include <span>
+#include <utility>
+
+namespace rt {
+namespace {
+
+// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the
+// order from near to far: without it a group of groups of groups costs as much as all its copies.
+constexpr std::size_t least_for_tree = 4;
+
+// Objects of one list on the way through the groups that are taken apart.
+struct Frame {
+  std::span<const scene::Object> objects;
+  Affine map;    // from their parent's space to the assembly's
+  StyleId style; // that they inherit
+  bool casts_shadow;
+  std::uint32_t source;
+  std::size_t next = 0;
+};
+
+} // namespace
+
+class Compiler {
+public:
+  // Compiles the `objects`, which are the scene's or a part of them. `parts` (by position among them) are ready.
+  Compiler(Compiled& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
+           std::span<const Part> parts)
+      : compiled_(compiled), styles_(*compiled.styles_), scene_(scene), objects_(objects), parts_(parts),
+        usage_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, styles_),
+        group_assemblies_(scene.shapes.all<scene::Group>().size()),
+        shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
+
+  void run() {
+    for (const std::uint32_t group : usage_.instanced())
+      group_assemblies_[group] = compile(scene_.shapes.all<scene::Group>()[group].members, inherited_style);
+    compile(objects_, styles_.default_style(), true);
+  }
+
+private:
+  std::vector<std::span<const scene::Object>> outside_of_parts() const {
+    std::vector<std::span<const scene::Object>> stretches;
+    std::size_t begin = 0;
+    for (const Part& part : parts_) {
+      stretches.push_back(objects_.subspan(begin, part.begin - begin));
+      begin = part.end;
+    }
+    stretches.push_back(objects_.subspan(begin));
+    return stretches;
+  }
+
+  const Assembly* compile(std::span<const scene::Object> objects, StyleId style, bool is_root = false) {
+    compiled_.assemblies_.push_back(std::make_unique<Assembly>());
+    Assembly& assembly = *compiled_.assemblies_.back();
+    assembly_ = &assembly;
+    slot_count_ = 0;
+    if (is_root)
+      for (const auto stretch : outside_of_parts()) reserve(stretch);
+    else
+      reserve(objects);
+    next_part_ = is_root ? 0 : parts_.size();
+    std::vector<Frame> frames{{objects, {}, style, true, 0}};
+    while (!frames.empty()) visit(frames);
+    assembly.leaf_count_ = assembly.order(slot_count_);
+    build();
+    return &assembly;
+  }
+
+  // One step: the next object of the innermost frame. There is no recursion, because groups may nest deep.
+  void visit(std::vector<Frame>& frames) {
+    Frame& frame = frames.back();
+    if (frame.next == frame.objects.size()) return frames.pop_back();
+    const auto position = static_cast<std::uint32_t>(frame.next++);
+    if (next_part_ < parts_.size() && frame.source == 0 && parts_[next_part_].begin == position) {
+      frame.next = parts_[next_part_].end;
+      return add_part(next_part_++);
+    }
+    const scene::Object& object = frame.objects[position];
+    if (!object.is_visible) return;
+    const Affine map = placed_in(frame.map, object);
+    const StyleId style = styles_.of(object, map, frame.style);
+    const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
+    if (object.shape.kind == scene::kind_of<scene::Group> && !usage_.is_instanced(object.shape.index)) {
+      const auto source = static_cast<std::uint32_t>(assembly_->sources_.size());
+      assembly_->sources_.push_back({frame.source, position});
+      frames.push_back({scene_.shapes.get<scene::Group>(object.shape).members, map, style, casts_shadow, source});
+      return;
+    }
+    add(object, map, LeafTag(new_slot(frame.source, position), style, casts_shadow));
+  }
+
+  // Most objects of a large scene are only moved.
+  Affine placed_in(const Affine& outer, const scene::Object& object) const {
+    if (object.turn == scene::no_turn) return {outer.x, outer.y, outer.z, outer.point(object.at)};
+    return outer * to_parent(scene_, object);
+  }
+
+  std::uint32_t new_slot(std::uint32_t source, std::uint32_t position) {
+    auto& runs = assembly_->runs_;
+    const std::uint32_t slot = slot_count_++;
+    if (runs.empty() || runs.back().source != source || runs.back().position + (slot - runs.back().slot) != position)
+      runs.push_back({slot, source, position});
+    return slot;
+  }
+
+  void add(const scene::Object& object, const Affine& map, LeafTag tag) {
+    scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {
+      if constexpr (std::is_same_v<S, scene::Group>) {
+        add_instance(object.shape.index, map, tag);
+      } else if constexpr (std::is_same_v<S, scene::Combination>) {
+        add_solid(object, shape, map, tag);
+      } else if constexpr (std::is_same_v<S, scene::Triangle>) {
+        if (shape.normals.size() == 3)
+          add_shape(SmoothTriangleGeometry{geometry(shape), {shape.normals[0], shape.normals[1], shape.normals[2]}},
+                    map, tag);
+        else
+          add_shape(geometry(shape), map, tag);
+      } else {
+        add_shape(geometry(shape), map, tag);
+      }
+    });
+  }
+
+  template <class G>
+  void add_shape(const G& own, const Affine& map, LeafTag tag) {
+    if (std::optional<G> here = placed(own, map))
+      put<ShapeLeaves<InPlace<G>>>(InPlace<G>{std::move(*here)}, tag);
+    else if (const std::optional<Affine> to_local = inverse(map))
+      put<ShapeLeaves<Turned<G>>>(Turned<G>{own, map, *to_local}, tag);
+    else
+      assert(false && "a transform must not flatten its shape");
+  }
+
+  template <class Leaves, class Placed>
+  void put(Placed shape, LeafTag tag) {
+    const Box3 box = shape.box();
+    if (box.is_empty()) return;
+    sets_for(box).template all<Leaves>().add(std::move(shape), tag);
+  }
+
+  LeafSets& sets_for(const Box3& box) {
+    assembly_->box_.extend(box);
+    return box.is_finite() ? assembly_->bounded_ : assembly_->unbounded_;
+  }
+
+  void add_instance(std::uint32_t group, const Affine& map, LeafTag tag) {
+    const Assembly* assembly = group_assemblies_[group];
+    const std::uint64_t order = assembly_->order(tag.slot);
+    assembly_->steps_.push_back({nullptr, 0, tag.slot, order, assembly->leaf_count()});
+    const Box3 box = transform_box(map, assembly->box());
+    if (box.is_empty()) return;
+    const std::optional<Affine> to_local = inverse(map);
+    assert(to_local && "a transform must not flatten its group");
+    InstanceLeaves& leaves = sets_for(box).all<InstanceLeaves>();
+    assembly_->steps_.back().leaves = &leaves;
+    assembly_->steps_.back().index = leaves.size();
+    leaves.add({assembly, map, to_local.value_or(Affine{}), order}, tag);
+  }
+
+  void add_part(std::size_t index) {
+    const Assembly& assembly = compiled_.parts_[index]->root();
+    const std::uint32_t slot = new_slot(0, parts_[index].begin);
+    const std::uint64_t order = assembly_->order(slot);
+    assembly_->steps_.push_back({nullptr, 0, slot, order, assembly.leaf_count()});
+    if (assembly.box().is_empty()) return;
+    InstanceLeaves& leaves = sets_for(assembly.box()).all<InstanceLeaves>();
+    assembly_->steps_.back().leaves = &leaves;
+    assembly_->steps_.back().index = leaves.size();
+    leaves.add({&assembly, {}, {}, order, parts_[index].begin}, LeafTag(slot, styles_.default_style(), true));
+  }
+
+  void add_solid(const scene::Object& object, const scene::Combination& combination, const Affine& map, LeafTag tag) {
+    const bool is_shared = usage_.is_shared(object.shape);
+    const Solid*& shared = shared_solids_[object.shape.index];
+    const Solid* solid = shared;
+    if (!solid) {
+      compiled_.solids_.push_back(
+          std::make_unique<Solid>(solid_builder_.build(combination, is_shared ? Affine{} : map)));
+      solid = compiled_.solids_.back().get();
+      if (is_shared) shared = solid;
+    }
+    const Box3 box = is_shared ? solid->box(map) : solid->box();
+    if (box.is_empty()) return;
+    const std::optional<Affine> to_local = inverse(map);
+    assert(to_local && "a transform must not flatten its solid");
+    sets_for(box).all<SolidLeaves>().add(
+        {solid, !is_shared, object.material != scene::no_material, map, to_local.value_or(Affine{}), box}, tag);
+  }
+
+  // Room for as many shapes as there are, so that the arrays of a large scene do not grow by doubling.
+  void reserve(std::span<const scene::Object> objects) {
+    scene::ShapeKinds::for_each([&]<class S>() {
+      if constexpr (!is_composite<S>) {
+        std::size_t count = 0;
+        for (const scene::Object& object : objects)
+          count += object.shape.kind == scene::kind_of<S> && object.turn == scene::no_turn && object.is_visible;
+        if (std::is_same_v<S, scene::Plane>) return; // is not bounded
+        assembly_->bounded_.all<ShapeLeaves<InPlace<GeometryOf<S>>>>().reserve(count);
+      }
+    });
+  }
+
+  void build() {
+    Assembly& a = *assembly_;
+    Box3 box;
+    std::size_t count = 0;
+    for (LeafSets* sets : {&a.bounded_, &a.unbounded_}) sets->for_each([](auto& leaves) { arrange(leaves); });
+    std::as_const(a.bounded_).for_each([&](const auto& leaves) {
+      for (std::uint32_t i = 0; i < leaves.size(); ++i) box.extend(leaves.bounds(i));
+      count += leaves.size();
+    });
+    add_loose(a.unbounded_);
+    if (count == 0) return;
+    const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;
+    if (count < least_for_tree && !has_large) return add_loose(a.bounded_);
+    a.tree_ = accel::Tree(*compiled_.device_, box);
+    std::as_const(a.bounded_).for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
+    a.tree_.build();
+  }
+
+  template <class Leaves>
+  static void arrange(Leaves& leaves) {
+    if constexpr (requires { leaves.arrange(); }) leaves.arrange();
+  }
+
+  void add_loose(const LeafSets& sets) {
+    sets.for_each([&]<class Leaves>(const Leaves& leaves) {
+      for (std::uint32_t i = 0; i < leaves.size(); ++i) assembly_->loose_.push_back({&leaf_kind<Leaves>, &leaves, i});
+    });
+  }
+
+  Compiled& compiled_;
+  Styles& styles_;
+  const scene::Scene& scene_;
+  std::span<const scene::Object> objects_;
+  std::span<const Part> parts_;
+  Usage usage_;
+  SolidBuilder solid_builder_;
+  std::vector<const Assembly*> group_assemblies_; // by group
+  std::vector<const Solid*> shared_solids_;       // by combination
+
+  Assembly* assembly_ = nullptr; // that is being made
+  std::uint32_t slot_count_ = 0;
+  std::size_t next_part_ = 0;
+};
+
+Compiled::Compiled(const scene::Scene& scene, int threads)
+    : device_(std::make_shared<accel::Device>(threads)), styles_(std::make_shared<Styles>(scene)) {
+  Compiler(*this, scene, scene.objects, {}).run();
+}
+
+Compiled::Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache) {
+  cache.begin(scene);
+  device_ = cache.device_;
+  styles_ = cache.styles_;
+  for (const Part& part : parts) parts_.push_back(cache.take(scene, part));
+  cache.mark_ = styles_->mark();
+  cache.forget_unused();
+  Compiler(*this, scene, scene.objects, parts).run();
+}
+
+void CompileCache::begin(const scene::Scene& scene) {
+  ++uses_;
+  if (!styles_) {
+    styles_ = std::make_shared<Styles>(scene);
+    return;
+  }
+  styles_->release(mark_);
+  styles_->extend(scene);
+}
+
+std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, const Part& part) {
+  const std::uint32_t size = part.end - part.begin;
+  for (Entry& entry : entries_) {
+    if (entry.stamp != part.stamp) continue;
+    entry.last_use = uses_;
+    ++counts_.parts_reused;
+    counts_.objects_reused += size;
+    return entry.compiled;
+  }
+  const std::shared_ptr<Compiled> made(new Compiled(device_, styles_));
+  Compiler(*made, scene, std::span(scene.objects).subspan(part.begin, size), {}).run();
+  ++counts_.parts_built;
+  counts_.objects_built += size;
+  entries_.push_back({part.stamp, uses_, made});
+  return made;
+}
+
+void CompileCache::forget_unused() {
+  std::erase_if(entries_, [this](const Entry& entry) { return entry.last_use + patience < uses_; });
+}
+
+} // namespace rt

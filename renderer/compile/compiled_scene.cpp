@@ -1,0 +1,232 @@
+#include "renderer/compile/compiled_scene.hpp"
+
+#include "renderer/math/static_vector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace rt {
+namespace {
+
+// How a smooth triangle is shaded.
+struct Smoothness {
+  Vec3 weights;                // of its corners
+  std::array<Vec3, 3> normals; // theirs
+};
+
+// A hit's surface on its way from the leaf's assembly out to the scene.
+struct Resolved {
+  LeafSurface leaf;
+  std::uint64_t order = 0;
+  std::optional<double> ior{}; // as soon as it is known
+  std::optional<Smoothness> smoothness{};
+};
+
+// `style` is the leaf's or what it inherits.
+void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId style) {
+  if (r.ior || style == inherited_style) return;
+  r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, styles, style) : styles.ior(style);
+}
+
+Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
+  Resolved r{hit.kind->surface(hit.leaves, styles, ray, hit),
+             hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot)};
+  settle_medium(r, styles, hit, r.leaf.leaf_style);
+  if (r.leaf.smooth)
+    r.smoothness = Smoothness{barycentric(r.leaf.smooth->flat, r.leaf.point.position), r.leaf.smooth->normals};
+  return r;
+}
+
+// `first` is the order of the assembly's first leaf.
+Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit,
+                 std::uint64_t first) {
+  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit);
+  std::uint32_t slot = 0;
+  const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
+  const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
+  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order);
+  Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
+  r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
+  const StyleId style = step.leaves->tag(step.index).style_id();
+  if (r.leaf.style == inherited_style && style != inherited_style) {
+    r.leaf.style = style;
+    r.leaf.pattern_point = styles.pattern_point(style, r.leaf.point.position);
+  }
+  settle_medium(r, styles, hit, style);
+  if (r.smoothness)
+    for (Vec3& normal : r.smoothness->normals) normal = instance.to_outer.normal(normal);
+  return r;
+}
+
+// Corner normals are carried to the scene and normalised before they are interpolated, as POV-Ray does.
+Vec3 smooth_normal(const Smoothness& s, const Vec3& geometric_normal) {
+  const Vec3 n = normalize(s.normals[0]) * s.weights.x + normalize(s.normals[1]) * s.weights.y +
+                 normalize(s.normals[2]) * s.weights.z;
+  const double size = length(n);
+  return size > 0 ? n / size : geometric_normal;
+}
+
+// What filters leave of light. They were found in no particular order, and products depend on it by their rounding.
+Color through(std::vector<Filter>& filters) {
+  if (filters.empty()) return white;
+  std::sort(filters.begin(), filters.end(), [](const Filter& a, const Filter& b) {
+    return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
+  });
+  Color left = white;
+  for (const Filter& filter : filters) left *= filter.transmittance;
+  return left;
+}
+
+} // namespace
+
+Traceable::Traceable(const scene::Scene& scene, int threads) : Traceable(scene, Compiled(scene, threads)) {}
+
+Traceable::Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
+    : Traceable(scene, Compiled(scene, parts, cache)) {}
+
+Traceable::Traceable(const scene::Scene& scene, Compiled compiled)
+    : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient),
+      max_depth_(scene.max_depth) {
+  lamps_.reserve(scene.lights.size());
+  for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
+}
+
+RayHit Traceable::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+  RayHit hit;
+  NearestQuery query(ray, range, compiled_.root(), 0, hit, scratch);
+  compiled_.root().nearest(query);
+  return hit;
+}
+
+Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+  scratch.filters.clear();
+  ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.styles(), {compiled_.styles().default_style(), &ray},
+                    scratch);
+  return compiled_.root().blocks(query) ? black : through(scratch.filters);
+}
+
+void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
+                        TraceScratch& scratch) const {
+  StaticVector<NearestQuery, accel::packet_size> queries;
+  std::array<accel::Query*, accel::packet_size> packet;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = {};
+    packet[i] = &queries.add([&] { return NearestQuery(rays[i], range, compiled_.root(), 0, hits[i], scratch); });
+  }
+  compiled_.root().nearest(std::span(packet).first(rays.size()));
+}
+
+void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
+  StaticVector<ShadowQuery, accel::packet_size> queries;
+  std::array<accel::Query*, accel::packet_size> packet;
+  const StyleId style = compiled_.styles().default_style();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    scratch[i].filters.clear();
+    packet[i] = &queries.add([&] {
+      return ShadowQuery(rays[i].ray, rays[i].range, compiled_.root(), 0, compiled_.styles(), {style, &rays[i].ray},
+                         scratch[i]);
+    });
+  }
+  const auto blocked = compiled_.root().blocks(std::span(packet).first(rays.size()));
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    *rays[i].transmittance = blocked[i] ? black : through(scratch[i].filters);
+}
+
+bool Traceable::casts_shadow(const RayHit& hit) const {
+  const Assembly* assembly = &compiled_.root();
+  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+    std::uint32_t slot = 0;
+    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    if (!step.leaves->tag(step.index).casts_shadow) return false;
+    assembly = step.leaves->leaf(step.index).assembly;
+    first += step.order;
+  }
+  if (!hit.kind->tag(hit.leaves, hit.index).casts_shadow) return false;
+  if (hit.kind != &leaf_kind<SolidLeaves>) return true;
+  return static_cast<const SolidLeaves*>(hit.leaves)->leaf(hit.index).solid->operand(hit.operand).casts_shadow;
+}
+
+Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) const {
+  Color left = white;
+  double last = 0;
+  for (const RayHit& hit : all_hits(ray, {gap, end})) {
+    if (hit.t - last <= gap || !casts_shadow(hit)) continue;
+    const Surface s = surface(ray, hit);
+    MaterialValues scratch;
+    const MaterialValues& v = values(s, scratch);
+    if (v.refract == 0) return black;
+    left *= v.color * v.refract;
+    last = hit.t;
+  }
+  return left;
+}
+
+Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
+  const Styles& styles = compiled_.styles();
+  const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
+  const Vec3& normal = r.leaf.point.normal;
+  return {r.leaf.point.position, normal,           r.smoothness ? smooth_normal(*r.smoothness, normal) : normal,
+          r.leaf.point.error,    r.order,          styles.material(r.leaf.style),
+          r.leaf.pattern_point,  r.ior.value_or(1)};
+}
+
+std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {
+  TraceScratch scratch;
+  std::vector<RayHit> hits;
+  const Styles& styles = compiled_.styles();
+  InspectQuery query(ray, range, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  query.inspects = true;
+  query.hits = &hits;
+  compiled_.root().blocks(query);
+  const auto order = [](const RayHit& h) { return h.base + h.assembly->order(h.kind->tag(h.leaves, h.index).slot); };
+  std::stable_sort(hits.begin(), hits.end(),
+                   [&](const RayHit& a, const RayHit& b) { return a.t < b.t || (a.t == b.t && order(a) < order(b)); });
+  return hits;
+}
+
+std::vector<Interior> Traceable::around(const Vec3& p) const {
+  std::vector<Interior> found;
+  if (!uses_ior()) return found;
+  TraceScratch scratch;
+  const Styles& styles = compiled_.styles();
+  // Any direction will do: the query is about the boxes that its origin is in.
+  const Ray ray{p, {1, 0, 0}};
+  InspectQuery query(ray, {0, 0}, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  query.inspects = true;
+  query.around = &found;
+  compiled_.root().blocks(query);
+  std::sort(found.begin(), found.end(), [](const Interior& a, const Interior& b) { return a.id < b.id; });
+  return found;
+}
+
+std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
+  std::vector<std::uint32_t> path;
+  const Assembly* assembly = &compiled_.root();
+  std::uint32_t part_begin = 0;
+  const auto append = [&](const std::vector<std::uint32_t>& part) {
+    path.insert(path.end(), part.begin(), part.end());
+  };
+  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+    std::uint32_t slot = 0;
+    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
+    if (instance.part_begin)
+      part_begin = *instance.part_begin;
+    else
+      append(assembly->path(step.slot));
+    assembly = instance.assembly;
+    first += step.order;
+  }
+  append(assembly->path(hit.kind->tag(hit.leaves, hit.index).slot));
+  if (hit.kind == &leaf_kind<SolidLeaves>) {
+    const auto& solids = *static_cast<const SolidLeaves*>(hit.leaves);
+    append(solids.leaf(hit.index).solid->path(hit.operand));
+  }
+  path.front() += part_begin;
+  return path;
+}
+
+} // namespace rt

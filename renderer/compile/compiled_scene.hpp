@@ -1,0 +1,95 @@
+#pragma once
+
+#include "renderer/compile/compile.hpp"
+#include "renderer/shading/lights.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// Rays traced so far.
+struct RayCounts {
+  std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
+};
+
+/// A ray to a lamp, in a packet.
+struct ShadowRay {
+  Ray ray;
+  Interval range;
+  Color* transmittance; ///< where the result goes
+};
+
+/// The surface at a hit, in the scene's space.
+struct Surface {
+  Vec3 point;
+  Vec3 geometric_normal;   ///< unit, out of the solid
+  Vec3 shading_normal;     ///< unit; the same but on a triangle with normals of its own
+  double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
+  std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
+  std::uint32_t material = 0;
+  Vec3 pattern_point; ///< the point as the material's patterns see it
+  double ior = 1;     ///< of the solid that the surface belongs to
+};
+
+/// A scene made ready for tracing: immutable, shared by all threads.
+class Traceable {
+public:
+  /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
+  /// std::runtime_error when the acceleration structure cannot be built.
+  Traceable(const scene::Scene& scene, int threads);
+  /// The same with parts of the scene's list that may be in the cache from an earlier compilation.
+  Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
+
+  /// The nearest hit in `range`; with equal distances, on the object that was declared first. Without one, the result
+  /// is false.
+  RayHit nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
+  /// What is left of light that takes this way: 0 if something opaque is in the interval, else the product of what the
+  /// surfaces let by.
+  Color transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
+
+  /// The same for up to `accel::packet_size` rays that run close together: sooner, with the same results, one in `hits`
+  /// for each ray.
+  void nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits, TraceScratch& scratch) const;
+  /// Each ray uses the scratch of its place.
+  void transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const;
+
+  /// The same from surface to surface, where one counts only if it is more than `gap` behind the one before (or the
+  /// ray's origin), as POV-Ray goes. Slow: for explaining single pixels.
+  Color transmittance_by_steps(const Ray& ray, double end, double gap) const;
+
+  /// What is to be known of a hit of `ray`.
+  Surface surface(const Ray& ray, const RayHit& hit) const;
+  const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
+    return compiled_.styles().values(surface.material, surface.pattern_point, scratch);
+  }
+
+  /// All hits, from near to far; with equal distances in the order of declaration.
+  std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
+  /// Whether what was hit stands in the way of light: it or what it is part of may be told not to.
+  bool casts_shadow(const RayHit& hit) const;
+  /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
+  /// An open cylinder or cone counts by the volume that its ends would close.
+  std::vector<Interior> around(const Vec3& p) const;
+  /// Whether any material has an index of refraction that matters. Without one `around` is empty.
+  bool uses_ior() const { return compiled_.styles().uses_ior(); }
+
+  /// The positions that lead to what was hit: in the scene's objects, in that one's members, and so on; in the end, for
+  /// a combination, to the operand whose surface it is.
+  std::vector<std::uint32_t> path(const RayHit& hit) const;
+
+  const std::vector<Lamp>& lamps() const { return lamps_; }
+  Color background() const { return background_; }
+  Color ambient() const { return ambient_; }
+  int max_depth() const { return max_depth_; }
+
+private:
+  Traceable(const scene::Scene& scene, Compiled compiled);
+
+  Compiled compiled_;
+  std::vector<Lamp> lamps_;
+  Color background_, ambient_;
+  int max_depth_;
+};
+
+} // namespace rt

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "renderer/bvh/bvh.hpp"
+#include "renderer/compile/geometries.hpp"
+#include "renderer/compile/trace_query.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rt {
+
+/// Collects the boxes in the way of a whole line.
+struct LineQuery : accel::Query {
+  LineQuery(const Ray& r, std::vector<std::uint32_t>& f)
+      : Query(r, {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}), found(f) {}
+  std::vector<std::uint32_t>& found;
+};
+
+/// A combination of solids, made ready for tracing. Along a line each operand is a list of intervals, and so is what
+/// the operations make of them (Roth, Ray Casting for Modeling Solids, 1982); the ends of the intervals are the
+/// surface. Where operands' surfaces coincide, the one declared first is taken.
+class Solid {
+public:
+  using Operation = scene::Combination::Operation;
+
+  /// A solid of the combination, with the surface that it brings along.
+  struct Operand {
+    SolidShape shape;
+    StyleId style = inherited_style; ///< asked about in the combination's space
+    bool casts_shadow = true;
+    std::uint32_t source = 0; ///< where it was written: see `path`
+  };
+
+  /// The box around all there is of it, carried through `map`; empty or infinite maybe.
+  Box3 box(const Affine& map = {}) const { return box_of(0, map); }
+
+  /// Pushes the boundaries along the whole line on `scratch.boundaries`: from near to far, entering and leaving by
+  /// turns.
+  void push_boundaries(const Ray& ray, TraceScratch& scratch) const { push_node(0, ray, scratch); }
+
+  bool contains(const Vec3& p) const { return node_contains(0, p); }
+
+  /// In the combination's space; the normal points out of the combination.
+  SurfacePoint point(const Ray& ray, const RayHit& hit) const;
+
+  const Operand& operand(std::uint32_t i) const { return operands_[i]; }
+  /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
+  std::vector<std::uint32_t> path(std::uint32_t operand) const;
+  std::size_t size() const { return operands_.size(); }
+
+  /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
+  /// part that has one, or 1. A combination within this one counts by its own material first.
+  double ior(const Styles& styles, StyleId inherited) const;
+  /// Whether any of its surfaces lets light in.
+  bool is_medium(const Styles& styles, StyleId inherited) const;
+
+private:
+  friend class SolidBuilder;
+
+  // A node's children are operands or other nodes.
+  struct Child {
+    std::uint32_t index;
+    bool is_node;
+  };
+  struct ChildBoxes {
+    std::vector<Box3> boxes;
+    std::vector<std::uint32_t> children; // by their position in the node
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(boxes.size()); }
+    Box3 bounds(std::uint32_t i) const { return boxes[i]; }
+    void nearest(std::uint32_t, LineQuery&) const {}
+    bool blocks(std::uint32_t i, LineQuery& query) const {
+      query.found.push_back(children[i]);
+      return false;
+    }
+  };
+  // Finds the children in a line's way, where there are many.
+  struct Index {
+    ChildBoxes boxes;
+    std::vector<std::uint32_t> others; // those without a finite box
+    accel::Tree tree;
+  };
+  struct Node {
+    Operation operation = Operation::unite;
+    std::vector<Child> children;
+    std::unique_ptr<Index> index; // of all children that need not be looked at: those of a union, those taken away
+  };
+  // The parent's entry and the position in its list.
+  struct Source {
+    std::uint32_t parent;
+    std::uint32_t position;
+  };
+
+  Box3 box_of(std::uint32_t node, const Affine& map) const;
+  Box3 box_of(const Child& child, const Affine& map) const;
+  void push_node(std::uint32_t node, const Ray& ray, TraceScratch& scratch) const;
+  void push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceScratch& scratch) const;
+  bool node_contains(std::uint32_t node, const Vec3& p) const;
+  bool child_contains(const Child& child, const Vec3& p) const;
+
+  std::vector<Operand> operands_;
+  std::vector<Node> nodes_; // the first is the root
+  std::vector<Source> sources_;
+  std::vector<StyleId> media_; // candidates for the medium's, the first one best
+};
+
+/// Makes the solid of a combination.
+class SolidBuilder {
+public:
+  /// All must outlive the builder.
+  SolidBuilder(const scene::Scene& scene, const accel::Device& device, Styles& styles)
+      : scene_(scene), device_(device), styles_(styles) {}
+
+  /// `map` leads from the combination's space to the one that the solid is to stand in.
+  Solid build(const scene::Combination& combination, const Affine& map);
+
+private:
+  struct Frame;
+  void visit(Solid& solid, std::vector<Frame>& frames);
+  void add_medium(Solid& solid, StyleId style) const;
+  void add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
+  void add_index(Solid& solid, Solid::Node& node);
+
+  const scene::Scene& scene_;
+  const accel::Device& device_;
+  Styles& styles_;
+};
+
+} // namespace rt

@@ -1,0 +1,147 @@
+#include "renderer/compile/csg.hpp"
+
+#include <cassert>
+#include <span>
+
+namespace rt {
+namespace {
+
+// Below this many children it is faster to look at each.
+constexpr std::size_t least_for_index = 8;
+
+// Whether an operand's own operands can stand in its place: a ∪ (b ∪ c), a ∩ (b ∩ c), (a − b) − c, a − (b ∪ c).
+bool dissolves(Solid::Operation outer, Solid::Operation inner, bool is_first) {
+  using enum scene::Combination::Operation;
+  if (outer != subtract) return inner == outer;
+  return is_first ? inner == subtract : inner == unite;
+}
+
+} // namespace
+
+// The members of a group or the operands of a combination, on the way through them.
+struct SolidBuilder::Frame {
+  std::span<const scene::Object> objects;
+  std::uint32_t node;  // that they become children of
+  bool is_subtraction; // what comes after the node's first child is taken away from it
+  Affine map;          // from their parent's space to the solid's
+  StyleId style;       // that they inherit
+  bool casts_shadow;
+  std::uint32_t source;
+  std::size_t next = 0;
+};
+
+Solid SolidBuilder::build(const scene::Combination& combination, const Affine& map) {
+  Solid solid;
+  solid.sources_.push_back({0, 0});
+  solid.nodes_.push_back({combination.operation, {}, nullptr});
+  const bool subtracts = combination.operation == Solid::Operation::subtract;
+  std::vector<Frame> frames{{combination.operands, 0, subtracts, map, inherited_style, true, 0}};
+  while (!frames.empty()) visit(solid, frames);
+  for (Solid::Node& node : solid.nodes_) add_index(solid, node);
+  return solid;
+}
+
+// One step: the next operand of the innermost frame. There is no recursion, because solids may nest deep.
+void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
+  Frame& frame = frames.back();
+  const auto position = static_cast<std::uint32_t>(frame.next++);
+  // Where there is nothing to subtract from, nothing is left.
+  const bool is_void = frame.is_subtraction && position > 0 && solid.nodes_[frame.node].children.empty();
+  if (position >= frame.objects.size() || is_void) {
+    frames.pop_back();
+    return;
+  }
+  const scene::Object& object = frame.objects[position];
+  if (!object.is_visible) return;
+  const auto source = static_cast<std::uint32_t>(solid.sources_.size());
+  solid.sources_.push_back({frame.source, position});
+
+  const bool is_group = object.shape.kind == scene::kind_of<scene::Group>;
+  if (!is_group && object.shape.kind != scene::kind_of<scene::Combination>) {
+    add_operand(solid, frame, object, source);
+    return;
+  }
+  Frame inner = frame;
+  inner.next = 0;
+  inner.source = source;
+  inner.map = frame.map * to_parent(scene_, object);
+  inner.casts_shadow = frame.casts_shadow && object.casts_shadow;
+  inner.style = styles_.of(object, inner.map, frame.style);
+  if (object.material != scene::no_material) add_medium(solid, inner.style);
+  Solid::Operation operation = Solid::Operation::unite;
+  if (is_group) {
+    inner.objects = scene_.shapes.get<scene::Group>(object.shape).members;
+  } else {
+    const auto& combination = scene_.shapes.get<scene::Combination>(object.shape);
+    inner.objects = combination.operands;
+    operation = combination.operation;
+  }
+  Solid::Node& node = solid.nodes_[frame.node];
+  const bool is_first = frame.is_subtraction && position == 0;
+  inner.is_subtraction = operation == Solid::Operation::subtract;
+  if (!dissolves(node.operation, operation, is_first)) {
+    inner.node = static_cast<std::uint32_t>(solid.nodes_.size());
+    node.children.push_back({inner.node, true});
+    solid.nodes_.push_back({operation, {}, nullptr});
+  }
+  frames.push_back(inner);
+}
+
+// Candidates after the first that is certain do not matter.
+void SolidBuilder::add_medium(Solid& solid, StyleId style) const {
+  auto& media = solid.media_;
+  if (style != inherited_style && !styles_.uses_ior(style)) return;
+  if (media.empty() || (media.back() == inherited_style && style != inherited_style)) media.push_back(style);
+}
+
+void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
+  const Affine map = frame.map * to_parent(scene_, object);
+  const StyleId style = styles_.of(object, map, frame.style);
+  add_medium(solid, style);
+  const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
+  const auto add = [&](SolidShape shape) {
+    solid.nodes_[frame.node].children.push_back({static_cast<std::uint32_t>(solid.operands_.size()), false});
+    solid.operands_.push_back({std::move(shape), style, casts_shadow, source});
+  };
+  scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {
+    if constexpr (!is_composite<S>) {
+      using G = GeometryOf<S>;
+      if constexpr (Solidlike<G>) {
+        const G own = geometry(shape);
+        assert(is_solid(own) && "what is open cannot be combined");
+        if (const std::optional<G> here = placed(own, map)) return add(InPlace<G>{*here});
+        if (const std::optional<Affine> to_local = inverse(map)) return add(Turned<G>{own, map, *to_local});
+        assert(false && "a transform must not flatten its shape");
+      } else {
+        assert(false && "what is open cannot be combined");
+      }
+    }
+  });
+}
+
+void SolidBuilder::add_index(Solid& solid, Solid::Node& node) {
+  const bool subtracts = node.operation == Solid::Operation::subtract;
+  const std::size_t first = subtracts ? 1 : 0;
+  if (node.operation == Solid::Operation::intersect || node.children.size() < first + least_for_index) return;
+  auto index = std::make_unique<Solid::Index>();
+  Box3 all;
+  for (std::size_t i = first; i < node.children.size(); ++i) {
+    const Box3 box = solid.box_of(node.children[i], {});
+    if (box.is_empty()) continue;
+    const auto child = static_cast<std::uint32_t>(i);
+    if (!box.is_finite()) {
+      index->others.push_back(child);
+      continue;
+    }
+    all.extend(box);
+    index->boxes.boxes.push_back(box);
+    index->boxes.children.push_back(child);
+  }
+  if (index->boxes.size() < least_for_index) return;
+  index->tree = accel::Tree(device_, all);
+  index->tree.add<LineQuery, LineQuery>(index->boxes);
+  index->tree.build();
+  node.index = std::move(index);
+}
+
+} // namespace rt

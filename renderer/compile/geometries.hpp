@@ -1,0 +1,70 @@
+#pragma once
+
+#include "renderer/compile/placed_shape.hpp"
+#include "renderer/compile/smooth_triangle.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <tuple>
+#include <utility>
+#include <variant>
+
+/// Lists of types over all the shapes there are. They follow from `scene::ShapeKinds`, so that a new shape needs
+/// nothing here.
+namespace rt {
+
+template <class S>
+inline constexpr bool is_composite = std::is_same_v<S, scene::Group> || std::is_same_v<S, scene::Combination>;
+
+template <class S>
+using GeometryOf = decltype(geometry(std::declval<const S&>()));
+
+namespace detail {
+
+template <class... Tuple>
+using Joined = decltype(std::tuple_cat(std::declval<Tuple>()...));
+
+// A type, or none of it.
+template <bool is_wanted, class... T>
+struct Either {
+  using Type = std::tuple<>;
+};
+template <class... T>
+struct Either<true, T...> {
+  using Type = std::tuple<T...>;
+};
+
+template <class S>
+struct GeometryOfShape {
+  using Type = std::tuple<GeometryOf<S>>;
+};
+template <>
+struct GeometryOfShape<scene::Group> : Either<false> {};
+template <>
+struct GeometryOfShape<scene::Combination> : Either<false> {};
+
+template <class List>
+struct GeometriesOf;
+template <class... S>
+struct GeometriesOf<scene::TypeList<S...>> {
+  using Type = Joined<typename GeometryOfShape<S>::Type..., std::tuple<SmoothTriangleGeometry>>;
+};
+
+template <class Tuple>
+struct OperandsOf;
+template <class... G>
+struct OperandsOf<std::tuple<G...>> {
+  template <class... P>
+  static std::variant<P...> as_variant(std::tuple<P...>*);
+  using Type = decltype(as_variant(
+      static_cast<Joined<typename Either<Solidlike<G>, InPlace<G>, Turned<G>>::Type...>*>(nullptr)));
+};
+
+} // namespace detail
+
+/// The geometry of every shape, and the triangle with normals of its own.
+using Geometries = detail::GeometriesOf<scene::ShapeKinds>::Type;
+
+/// A shape of any kind that has an inside, placed in either way.
+using SolidShape = detail::OperandsOf<Geometries>::Type;
+
+} // namespace rt

@@ -1,0 +1,182 @@
+#pragma once
+
+#include "renderer/compile/csg.hpp"
+#include "renderer/compile/geometries.hpp"
+#include "renderer/compile/trace_query.hpp"
+
+#include <optional>
+#include <vector>
+
+/// The leaves of the trees: sets of one kind each, whose callbacks the trees call.
+namespace rt {
+
+/// What every leaf carries beside its geometry.
+struct LeafTag {
+  std::uint32_t slot; ///< its place in its assembly, in the order of declaration
+  std::uint32_t style : 31;
+  std::uint32_t casts_shadow : 1;
+
+  LeafTag(std::uint32_t place, StyleId s, bool shadow)
+      : slot(place), style(static_cast<std::uint32_t>(s) & 0x7fffffff), casts_shadow(shadow) {}
+  StyleId style_id() const { return StyleId{style}; }
+};
+
+class SolidLeaves;
+
+/// The surface at a hit, in the space of the leaf's assembly. It is made where it is to stay: a copy would wait for
+/// every one of its parts to be written.
+struct LeafSurface {
+  SurfacePoint point;
+  StyleId style = inherited_style;                ///< of the surface
+  StyleId leaf_style = inherited_style;           ///< of the leaf as a whole: where it decides about the medium
+  Vec3 pattern_point{};                           ///< unless the style is inherited
+  const SolidLeaves* solids = nullptr;            ///< those of a combination, whose medium may be another's
+  const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
+};
+
+/// What can be asked of a leaf whose kind was forgotten on the way: one object for each type of set. A leaf may hold
+/// several shapes; then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
+struct LeafKind {
+  LeafTag (*tag)(const void* leaves, std::uint32_t index);
+  LeafSurface (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit);
+  void (*nearest)(const void* leaves, std::uint32_t index, NearestQuery& query);
+  bool (*blocks)(const void* leaves, std::uint32_t index, ShadowQuery& query);
+};
+
+template <class Leaves>
+inline constexpr LeafKind leaf_kind{
+    [](const void* leaves, std::uint32_t index) { return static_cast<const Leaves*>(leaves)->tag(index); },
+    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit) {
+      return static_cast<const Leaves*>(leaves)->surface(styles, ray, hit);
+    },
+    [](const void* leaves, std::uint32_t index, NearestQuery& query) {
+      static_cast<const Leaves*>(leaves)->nearest(index, query);
+    },
+    [](const void* leaves, std::uint32_t index, ShadowQuery& query) {
+      return static_cast<const Leaves*>(leaves)->blocks(index, query);
+    }};
+
+/// Shapes of one kind that are placed in one way.
+template <class Placed>
+class ShapeLeaves {
+public:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(shapes_.size()); }
+  Box3 bounds(std::uint32_t i) const { return shapes_[i].box(); }
+  LeafTag tag(std::uint32_t i) const { return tags_[i]; }
+  void reserve(std::size_t count) { shapes_.reserve(count), tags_.reserve(count); }
+  void add(Placed shape, LeafTag tag) { shapes_.push_back(std::move(shape)), tags_.push_back(tag); }
+
+  void nearest(std::uint32_t i, NearestQuery& query) const {
+    Hit hit;
+    const Placed& p = shapes_[i];
+    if (intersect(p.shape, p.carried(query.ray), query.interval, hit))
+      query.offer(hit, tags_[i].slot, i, leaf_kind<ShapeLeaves>, this);
+  }
+
+  bool blocks(std::uint32_t i, ShadowQuery& query) const {
+    if (query.inspects) [[unlikely]]
+      return inspect(i, static_cast<InspectQuery&>(query));
+    const LeafTag tag = tags_[i];
+    if (!tag.casts_shadow) return false;
+    const Placed& p = shapes_[i];
+    Hit hit;
+    if (query.styles.is_opaque(query.resolved(tag.style_id())))
+      return intersect(p.shape, p.carried(query.ray), query.interval, hit);
+    std::uint32_t sequence = 0;
+    for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
+      query.add_filter(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
+    return false;
+  }
+
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
+    const Placed& p = shapes_[hit.index];
+    const StyleId style = tags_[hit.index].style_id();
+    LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), style, style};
+    if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
+    if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
+    return s;
+  }
+
+private:
+  bool inspect(std::uint32_t i, InspectQuery& query) const;
+
+  std::vector<Placed> shapes_;
+  std::vector<LeafTag> tags_;
+};
+
+/// A combination where it stands. The solid may be shared.
+class SolidLeaves {
+public:
+  struct Leaf {
+    const Solid* solid;
+    bool is_in_place; ///< the solid was made in the assembly's space, and the maps have no meaning
+    bool owns_style;  ///< it writes a material itself
+    Affine to_outer, to_local;
+    Box3 box;
+  };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(leaves_.size()); }
+  Box3 bounds(std::uint32_t i) const { return leaves_[i].box; }
+  LeafTag tag(std::uint32_t i) const { return tags_[i]; }
+  const Leaf& leaf(std::uint32_t i) const { return leaves_[i]; }
+  void add(const Leaf& leaf, LeafTag tag) { leaves_.push_back(leaf), tags_.push_back(tag); }
+
+  void nearest(std::uint32_t i, NearestQuery& query) const;
+  bool blocks(std::uint32_t i, ShadowQuery& query) const;
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const;
+
+  /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
+  /// one. `inherited` is the style that its parts inherit: its own if it has one.
+  double ior(std::uint32_t i, const Styles& styles, StyleId inherited) const;
+
+private:
+  bool inspect(std::uint32_t i, InspectQuery& query) const;
+
+  std::vector<Leaf> leaves_;
+  std::vector<LeafTag> tags_;
+};
+
+/// A group that stands in several places is an assembly of its own, and each of its places a leaf. So is a part of the
+/// scene that was compiled by itself.
+class InstanceLeaves {
+public:
+  struct Leaf {
+    const Assembly* assembly;
+    Affine to_outer, to_local;
+    std::uint64_t order; ///< how many leaves of its own assembly come before it
+    /// Of a part: where it begins in the scene's list. It stands where it is, so rays and points stay what they are.
+    std::optional<std::uint32_t> part_begin = {};
+  };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(leaves_.size()); }
+  Box3 bounds(std::uint32_t i) const;
+  LeafTag tag(std::uint32_t i) const { return tags_[i]; }
+  const Leaf& leaf(std::uint32_t i) const { return leaves_[i]; }
+  void add(const Leaf& leaf, LeafTag tag) { leaves_.push_back(leaf), tags_.push_back(tag); }
+
+  void nearest(std::uint32_t i, NearestQuery& query) const;
+  bool blocks(std::uint32_t i, ShadowQuery& query) const;
+  LeafSurface surface(const Styles&, const Ray&, const RayHit&) const; // never the leaf that is hit
+
+private:
+  std::vector<Leaf> leaves_;
+  std::vector<LeafTag> tags_;
+};
+
+template <class Placed>
+bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
+  const Placed& p = shapes_[i];
+  if (query.hits) {
+    Hit hit;
+    for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
+      query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
+  }
+  if constexpr (Solidlike<typename Placed::G>) {
+    const StyleId style = query.resolved(tags_[i].style_id());
+    if (query.around && !query.styles.is_opaque(style) && contains(p.shape, p.carried(query.ray.origin)))
+      query.add_around(tags_[i].slot, query.styles.ior(style));
+  }
+  return false;
+}
+
+} // namespace rt

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "renderer/compile/leaves.hpp"
+#include "renderer/compile/sphere_pack.hpp"
+
+#include <bit>
+#include <vector>
+
+namespace rt {
+
+/// Spheres stand eight to a leaf, each with its neighbours: a tree an eighth as large, which waits less for memory, and
+/// one call of a leaf instead of eight. What is hit is still one sphere, and `tag` and `surface` are about that.
+template <>
+class ShapeLeaves<InPlace<SphereGeometry>> {
+public:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(packs_.size()); }
+  Box3 bounds(std::uint32_t i) const;
+  LeafTag tag(std::uint32_t sphere) const { return tags_[sphere]; }
+  void reserve(std::size_t count) { added_.reserve(count); }
+  void add(const InPlace<SphereGeometry>& placed, LeafTag tag) { added_.push_back({placed.shape, tag}); }
+  /// Makes leaves of what was added.
+  void arrange();
+
+  [[gnu::always_inline]] void nearest(std::uint32_t i, NearestQuery& query) const {
+    const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
+    for (unsigned rest = chords.meets(); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
+      Hit near, far, hit;
+      chords[lane].roots(near.t, far.t);
+      if (!take_first(near, far, query.interval, hit)) continue;
+      const std::uint32_t sphere = i * SpherePack::size + lane;
+      query.offer(hit, tags_[sphere].slot, sphere, leaf_kind<ShapeLeaves>, this);
+    }
+  }
+
+  [[gnu::always_inline]] bool blocks(std::uint32_t i, ShadowQuery& query) const {
+    if (query.inspects) [[unlikely]]
+      return inspect(i, static_cast<InspectQuery&>(query));
+    const SpherePackChords chords(packs_[i], query.ray, query.inverse_square);
+    for (unsigned rest = chords.meets(); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
+      const LeafTag tag = tags_[i * SpherePack::size + lane];
+      if (!tag.casts_shadow) continue;
+      double near = 0, far = 0;
+      chords[lane].roots(near, far);
+      const bool has_near = query.interval.contains(near), has_far = far > near && query.interval.contains(far);
+      if (!has_near && !has_far) continue;
+      if (query.styles.is_opaque(query.resolved(tag.style_id()))) return true;
+      if (has_near) query.add_filter(near, tag.slot, 0, query.transmittance(tag.style_id(), near));
+      if (has_far) query.add_filter(far, tag.slot, has_near, query.transmittance(tag.style_id(), far));
+    }
+    return false;
+  }
+
+  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
+    const SphereGeometry sphere = packs_[hit.index / SpherePack::size].sphere(hit.index % SpherePack::size);
+    const StyleId style = tags_[hit.index].style_id();
+    LeafSurface s{surface_point(sphere, ray, {hit.t, hit.shape_part}), style, style};
+    if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
+    return s;
+  }
+
+private:
+  struct Added {
+    SphereGeometry sphere;
+    LeafTag tag;
+  };
+
+  bool inspect(std::uint32_t i, InspectQuery& query) const;
+
+  std::vector<Added> added_; // until arranged
+  std::vector<SpherePack> packs_;
+  std::vector<LeafTag> tags_; // by sphere; only the last pack can have fewer than eight
+};
+
+} // namespace rt

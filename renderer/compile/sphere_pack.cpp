@@ -1,0 +1,94 @@
+#include "renderer/compile/sphere_pack.hpp"
+
+#include <immintrin.h>
+
+#include <cstring>
+
+namespace rt {
+namespace {
+
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+using Eight = double __attribute__((vector_size(64)));
+
+// By reference and not as results: that would depend on what the compiler may assume of the processor.
+template <class Lanes>
+[[gnu::always_inline]] inline void load(Lanes& lanes, const double* from) {
+  std::memcpy(&lanes, from, sizeof lanes);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void store(double* to, const Lanes& lanes) {
+  std::memcpy(to, &lanes, sizeof lanes);
+}
+
+} // namespace
+
+// Those of the spheres from `first` on, as many as there are lanes. Gives what tells whether a sphere is met.
+template <class Lanes>
+[[gnu::always_inline]] inline void SpherePackChords::find_lanes(const SpherePack& pack, std::uint32_t first,
+                                                                const Ray& ray, double inverse, Lanes& half_squared,
+                                                                Lanes& power, Lanes& along) {
+  const Vec3 &o = ray.origin, &d = ray.direction;
+  Lanes x, y, z, radius;
+  load(x, &pack.x[first]), load(y, &pack.y[first]), load(z, &pack.z[first]), load(radius, &pack.radius[first]);
+  x -= o.x, y -= o.y, z -= o.z;
+  const Lanes squared = radius * radius;
+  along = x * d.x + y * d.y + z * d.z;
+  power = x * x + y * y + z * z - squared;
+  const Lanes middle = along * inverse;
+  const Lanes ax = x - d.x * middle, ay = y - d.y * middle, az = z - d.z * middle;
+  half_squared = (squared - (ax * ax + ay * ay + az * az)) * inverse;
+  store(&middle_[first], middle);
+  store(&half_squared_[first], half_squared);
+  store(&product_[first], power * inverse);
+}
+
+// As many at a time as there are lanes.
+template <class Lanes>
+[[gnu::always_inline]] inline void SpherePackChords::find_all(const SpherePack& pack, const Ray& ray, double inverse) {
+  constexpr std::uint32_t lanes = sizeof(Lanes) / sizeof(double);
+  meets_ = 0;
+  for (std::uint32_t first = 0; first < SpherePack::size; first += lanes) {
+    Lanes half_squared, power, along;
+    find_lanes(pack, first, ray, inverse, half_squared, power, along);
+    const auto meets = (half_squared >= 0) & ~((power > 0) & (along <= 0));
+    __m128d pairs[lanes / 2];
+    std::memcpy(pairs, &meets, sizeof pairs);
+    for (std::uint32_t i = 0; i < lanes; i += 2)
+      meets_ |= static_cast<unsigned>(_mm_movemask_pd(pairs[i / 2])) << (first + i);
+  }
+}
+
+void SpherePackChords::find_by_two(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
+  chords.find_all<Two>(pack, ray, inverse);
+}
+
+__attribute__((target("avx2"))) void SpherePackChords::find_by_four(SpherePackChords& chords, const SpherePack& pack,
+                                                                    const Ray& ray, double inverse) {
+  chords.find_all<Four>(pack, ray, inverse);
+}
+
+// The compiler (g++ 12) makes a detour of comparisons of eight that are not written as masks.
+__attribute__((target("avx512f,avx512dq"))) void
+SpherePackChords::find_by_eight(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
+  Eight half_squared, power, along;
+  chords.find_lanes(pack, 0, ray, inverse, half_squared, power, along);
+  const Eight zero{};
+  const auto leaves = _mm512_mask_cmp_pd_mask(_mm512_cmp_pd_mask(power, zero, _CMP_GT_OQ), along, zero, _CMP_LE_OQ);
+  chords.meets_ = _mm512_cmp_pd_mask(half_squared, zero, _CMP_GE_OQ) & ~unsigned{leaves};
+}
+
+bool SpherePackChords::has_four() {
+  return __builtin_cpu_supports("avx2") != 0;
+}
+
+bool SpherePackChords::has_eight() {
+  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+}
+
+SpherePackChords::Find* const SpherePackChords::best_find = has_eight()  ? find_by_eight
+                                                            : has_four() ? find_by_four
+                                                                         : find_by_two;
+
+} // namespace rt

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/render/camera_rays.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rt {
+
+/// Everything about one place where a ray meets the scene, in the scene's space.
+struct HitReport {
+  double t = 0;        ///< in lengths of the ray's direction
+  double distance = 0; ///< Euclidean, from the ray's origin
+  Vec3 point;
+  Vec3 geometric_normal;   ///< unit, out of the solid (right-handed about the corners of what is flat)
+  Vec3 shading_normal;     ///< unit, on the same side; what light falls on, before it is turned to the viewer
+  bool enters = false;     ///< the ray goes against the geometric normal: into a solid
+  std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one
+  std::vector<std::uint32_t> path; ///< positions in the scene's objects, in that group's members and so on; within a
+                                   ///< combination, down to the operand whose surface it is
+  MaterialValues material;         ///< with patterns evaluated
+  double ior = 1; ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
+};
+
+/// A scene that was compiled once, for questions about single rays. It can be asked from several threads at a time.
+/// Whole pictures are `render`'s, which gives the same values.
+class Tracer {
+public:
+  /// Whose limits decide what is too near to be hit.
+  enum class Tolerances {
+    own,   ///< none: rays start beyond the rounding of the surface they leave
+    povray ///< hits from 1e-4 to 1e7, shadows from 1e-3 of the surface to 1e-3 of the lamp, in lengths of the scene
+  };
+
+  /// `threads` to build with, 0: one for each core. The description need not outlive the tracer. Throws std::bad_alloc
+  /// or std::runtime_error when the acceleration structure cannot be built.
+  explicit Tracer(const scene::Scene& scene, int threads = 0);
+
+  /// The scene's camera: its rays through any point of the picture and for the samples of a pixel.
+  const CameraRays& camera() const { return camera_; }
+
+  /// The nearest hit in `range` (of t), if there is one.
+  std::optional<HitReport> nearest(const Ray& ray, const Interval& range = {}) const;
+  /// All of them, from near to far, equal ones in the order of declaration.
+  std::vector<HitReport> all_hits(const Ray& ray, const Interval& range = {}) const;
+
+  /// The light that comes in along the ray, as the integrator computes it, before it is rounded for the film. The
+  /// length of the ray's direction does not matter.
+  Color radiance(const Ray& ray, Tolerances tolerances = Tolerances::own) const;
+
+  /// The ray as it is traced: with a direction of unit length. One that has it, up to rounding, is not touched, so that
+  /// a camera's ray gives what the picture shows to the last bit.
+  static Ray unit(const Ray& ray);
+
+  const Traceable& scene() const { return traceable_; }
+
+private:
+  HitReport report(const Ray& ray, const RayHit& hit) const;
+
+  Traceable traceable_;
+  CameraRays camera_;
+};
+
+} // namespace rt

@@ -1,0 +1,269 @@
+#include "renderer/render/render.hpp"
+
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/integrators/whitted.hpp"
+#include "renderer/math/static_vector.hpp"
+#include "renderer/render/camera_rays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <span>
+#include <thread>
+
+namespace rt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr int tile_side = 16;
+constexpr int block_side = 4;
+static_assert(block_side * block_side <= accel::packet_size);
+constexpr std::chrono::milliseconds progress_interval{100};
+
+Film make_film(const PixelRect& rect, bool layers) {
+  Film film;
+  film.width = rect.width();
+  film.height = rect.height();
+  const std::size_t pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  film.color.resize(pixels);
+  if (layers) {
+    film.depth.assign(pixels, std::numeric_limits<double>::infinity());
+    film.normal.resize(pixels);
+    film.position.resize(pixels);
+    film.object_id.resize(pixels);
+    film.albedo.resize(pixels);
+  }
+  return film;
+}
+
+Rgb32 to_single(const Color& c) {
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+Xyz32 to_single(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Everything the workers share. Each pixel is written by one of them, so the film needs no lock.
+class Job {
+public:
+  Job(const View& view, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect, Film& film)
+      : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
+        around_eye_(traceable.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
+        columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
+
+  /// What one thread does: takes tiles until none are left or it is told to stop.
+  void work() noexcept {
+    try {
+      Worker worker(*this);
+      worker.run();
+      const std::lock_guard lock(mutex_);
+      add(worker.counts());
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      failed_ = true;
+    }
+    const std::lock_guard lock(mutex_);
+    ++finished_workers_;
+    wake_.notify_all();
+  }
+
+  /// Reports progress until `workers` threads have ended.
+  void watch(int workers, Clock::time_point start) {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, progress_interval, [&] { return finished_workers_ == workers; })) report(lock, start);
+    if (options_.on_progress) report(lock, start);
+  }
+
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+  bool is_complete() const { return finished_tiles_ == columns_ * rows_; }
+  const RayCounts& counts() const { return counts_; }
+
+private:
+  class Worker {
+  public:
+    explicit Worker(Job& job) : job_(job), whitted_(job.traceable_, recorder_, job.options_.stop) {}
+
+    void run() {
+      while (!job_.is_stopped()) {
+        const int tile = job_.next_tile_++;
+        if (tile >= job_.columns_ * job_.rows_) return;
+        if (!trace_tile(job_.tile_rect(tile))) return;
+        ++job_.finished_tiles_;
+        const std::uint64_t rays = total(counts());
+        job_.rays_ += rays - reported_;
+        reported_ = rays;
+      }
+    }
+
+    RayCounts counts() const {
+      RayCounts all = whitted_.counts();
+      all.camera = camera_rays_;
+      return all;
+    }
+
+  private:
+    // Block by block, so that the rays of a packet run close together.
+    bool trace_tile(const PixelRect& tile) {
+      for (int y = tile.y0; y < tile.y1; y += block_side) {
+        for (int x = tile.x0; x < tile.x1; x += block_side) {
+          if (!trace_block({x, y, std::min(x + block_side, tile.x1), std::min(y + block_side, tile.y1)})) return false;
+        }
+      }
+      return true;
+    }
+
+    // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
+    bool trace_block(const PixelRect& block) {
+      const int n = job_.side_;
+      std::array<Color, accel::packet_size> sums{}, values;
+      for (int sample = 0; sample < n * n; ++sample) {
+        const CameraRays::Place place(sample, n);
+        StaticVector<Ray, accel::packet_size> rays;
+        for_each_pixel(block,
+                       [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
+        trace_rays(rays, values);
+        if (job_.is_stopped()) return false;
+        for (std::size_t i = 0; i < rays.size(); ++i) sums[i] += values[i];
+      }
+      for_each_pixel(block, [&](int x, int y, std::size_t i) {
+        const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);
+        job_.film_.color[index] = to_single(sums[i] * (1.0 / (n * n)));
+        if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
+      });
+      return true;
+    }
+
+    template <class F>
+    static void for_each_pixel(const PixelRect& block, F&& f) {
+      std::size_t i = 0;
+      for (int y = block.y0; y < block.y1; ++y)
+        for (int x = block.x0; x < block.x1; ++x) f(x, y, i++);
+    }
+
+    void trace_rays(std::span<const Ray> rays, std::span<Color> values) {
+      camera_rays_ += rays.size();
+      if (job_.camera_.has_one_eye() || !job_.traceable_.uses_ior())
+        return whitted_.radiance(rays, job_.around_eye_, values);
+      for (std::size_t i = 0; i < rays.size(); ++i)
+        values[i] = whitted_.radiance(rays[i], job_.traceable_.around(rays[i].origin));
+    }
+
+    void trace_layers(const Ray& ray, std::size_t index) {
+      const RayHit hit = job_.traceable_.nearest(ray, {}, scratch_);
+      if (!hit) return;
+      const Surface surface = job_.traceable_.surface(ray, hit);
+      MaterialValues values;
+      const Vec3 n = surface.shading_normal;
+      job_.film_.depth[index] = hit.t;
+      job_.film_.normal[index] = to_single(dot(n, ray.direction) > 0 ? -n : n);
+      job_.film_.position[index] = to_single(surface.point);
+      job_.film_.object_id[index] = static_cast<std::uint32_t>(surface.order + 1);
+      job_.film_.albedo[index] = to_single(job_.traceable_.values(surface, values).color);
+    }
+
+    static std::uint64_t total(const RayCounts& c) { return c.camera + c.shadow + c.reflected + c.refracted; }
+
+    Job& job_;
+    NoRecorder recorder_;
+    Whitted<> whitted_;
+    TraceScratch scratch_;
+    std::uint64_t camera_rays_ = 0;
+    std::uint64_t reported_ = 0;
+  };
+
+  bool is_stopped() const {
+    return failed_.load(std::memory_order_relaxed) || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+  }
+
+  PixelRect tile_rect(int tile) const {
+    const int x = rect_.x0 + tile % columns_ * tile_side, y = rect_.y0 + tile / columns_ * tile_side;
+    return {x, y, std::min(x + tile_side, rect_.x1), std::min(y + tile_side, rect_.y1)};
+  }
+
+  void add(const RayCounts& c) {
+    counts_.camera += c.camera;
+    counts_.shadow += c.shadow;
+    counts_.reflected += c.reflected;
+    counts_.refracted += c.refracted;
+  }
+
+  void report(std::unique_lock<std::mutex>& lock, Clock::time_point start) {
+    if (!options_.on_progress) return;
+    lock.unlock();
+    const double fraction = static_cast<double>(finished_tiles_) / (columns_ * rows_);
+    options_.on_progress({fraction, rays_, seconds_since(start)});
+    lock.lock();
+  }
+
+  const Traceable& traceable_;
+  const RenderOptions& options_;
+  PixelRect rect_;
+  Film& film_;
+  CameraRays camera_;
+  std::vector<Interior> around_eye_;
+  int side_; // of the grid of samples in a pixel
+  int columns_, rows_;
+  std::atomic<int> next_tile_ = 0, finished_tiles_ = 0;
+  std::atomic<std::uint64_t> rays_ = 0;
+  std::atomic<bool> failed_ = false;
+
+  std::mutex mutex_; // guards what follows
+  std::condition_variable wake_;
+  int finished_workers_ = 0;
+  RayCounts counts_;
+  std::exception_ptr error_;
+};
+
+int thread_count(int wanted) {
+  if (wanted > 0) return wanted;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+Rendered render(const scene::Scene& scene, const RenderOptions& options) {
+  const Clock::time_point build_start = Clock::now();
+  const Traceable traceable(scene, thread_count(options.threads));
+  const double build_seconds = seconds_since(build_start);
+  Rendered result = render(traceable, {scene.camera, scene.size, scene.samples}, options);
+  result.statistics.primitives = count_primitives(scene);
+  result.statistics.build_seconds = build_seconds;
+  return result;
+}
+
+Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options) {
+  Rendered result;
+  RenderStatistics& statistics = result.statistics;
+  statistics.threads = thread_count(options.threads);
+  const Clock::time_point trace_start = Clock::now();
+  const PixelRect rect = options.crop.value_or(PixelRect{0, 0, view.size[0], view.size[1]});
+  result.film = make_film(rect, options.layers);
+  Job job(view, traceable, options, rect, result.film);
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < statistics.threads; ++i) threads.emplace_back([&job] { job.work(); });
+    job.watch(statistics.threads, trace_start);
+  }
+  job.rethrow();
+  statistics.trace_seconds = seconds_since(trace_start);
+  statistics.camera_rays = job.counts().camera;
+  statistics.shadow_rays = job.counts().shadow;
+  statistics.reflected_rays = job.counts().reflected;
+  statistics.refracted_rays = job.counts().refracted;
+  result.is_complete = job.is_complete();
+  return result;
+}
+
+} // namespace rt

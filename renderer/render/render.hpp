@@ -1,0 +1,56 @@
+#pragma once
+
+#include "renderer/render/film.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace rt {
+
+/// What is known while a picture is being made.
+struct Progress {
+  double fraction = 0;    ///< of all tiles, 0 to 1
+  std::uint64_t rays = 0; ///< traced so far, of every kind
+  double seconds = 0;     ///< since tracing began
+};
+
+struct RenderOptions {
+  int threads = 0;                         ///< 0: one for each core
+  std::optional<PixelRect> crop;           ///< the film holds this part of the picture only; inside the scene's size
+  bool layers = false;                     ///< fill the film's layers
+  const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
+  std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
+};
+
+struct RenderStatistics {
+  std::uint64_t primitives = 0;
+  std::uint64_t camera_rays = 0, shadow_rays = 0, reflected_rays = 0, refracted_rays = 0;
+  double build_seconds = 0; ///< compiling the description and building the acceleration structure
+  double trace_seconds = 0;
+  int threads = 0;
+};
+
+struct Rendered {
+  Film film;
+  RenderStatistics statistics;
+  bool is_complete = true; ///< false when stopped: the tiles not traced are black
+};
+
+/// The whole way from description to picture. The same bytes for any number of threads.
+Rendered render(const scene::Scene& scene, const RenderOptions& options);
+
+class Traceable;
+
+/// How a scene that is compiled already is to be looked at.
+struct View {
+  scene::Camera camera;
+  scene::Resolution size{};
+  int samples = 1; ///< a square number
+};
+/// The same for a scene that is compiled already; its primitives and the time to build are not counted.
+Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options);
+
+} // namespace rt

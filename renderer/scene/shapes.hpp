@@ -1,0 +1,92 @@
+#pragma once
+
+#include "renderer/scene/composite.hpp"
+#include "renderer/scene/object.hpp"
+#include "renderer/shapes/box.hpp"
+#include "renderer/shapes/cone.hpp"
+#include "renderer/shapes/cylinder.hpp"
+#include "renderer/shapes/disc.hpp"
+#include "renderer/shapes/plane.hpp"
+#include "renderer/shapes/polygon.hpp"
+#include "renderer/shapes/quad.hpp"
+#include "renderer/shapes/sphere.hpp"
+#include "renderer/shapes/triangle.hpp"
+
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace rt::scene {
+
+/// A closed list of types, in which a shape's position is its `ShapeRef::kind`.
+template <class... T>
+struct TypeList {
+  static constexpr std::uint32_t size = sizeof...(T);
+  template <class S>
+  static constexpr std::uint32_t index_of() {
+    std::uint32_t i = 0;
+    const bool found = ((std::is_same_v<S, T> || (++i, false)) || ...);
+    return found ? i : size;
+  }
+  /// Calls f.operator()<T>() for each type, in order.
+  template <class F>
+  static constexpr void for_each(F&& f) {
+    (f.template operator()<T>(), ...);
+  }
+};
+
+/// All shapes. A new shape is added here, and its header above.
+using ShapeKinds = TypeList<Sphere, Plane, Cylinder, Cone, Box, Disc, Triangle, Quad, Polygon, Group, Combination>;
+
+template <class S>
+inline constexpr std::uint32_t kind_of = ShapeKinds::index_of<S>();
+
+/// All shapes of a scene, stored by kind. References stay valid when shapes are added; pointers do not.
+class Shapes {
+public:
+  template <class S>
+  ShapeRef add(S shape) {
+    auto& list = all<S>();
+    list.push_back(std::move(shape));
+    return {kind_of<S>, static_cast<std::uint32_t>(list.size() - 1)};
+  }
+  template <class S>
+  std::vector<S>& all() {
+    return std::get<std::vector<S>>(lists_);
+  }
+  template <class S>
+  const std::vector<S>& all() const {
+    return std::get<std::vector<S>>(lists_);
+  }
+  /// `ref.kind` must be that of S.
+  template <class S>
+  const S& get(ShapeRef ref) const {
+    return all<S>()[ref.index];
+  }
+
+  /// Calls f with the shape, of whatever type it is.
+  template <class F>
+  decltype(auto) visit(ShapeRef ref, F&& f) const {
+    return visit_from<0>(ref, std::forward<F>(f));
+  }
+
+private:
+  template <std::size_t I, class F>
+  decltype(auto) visit_from(ShapeRef ref, F&& f) const {
+    if constexpr (I + 1 < ShapeKinds::size) {
+      if (ref.kind != I) return visit_from<I + 1>(ref, std::forward<F>(f));
+    }
+    return f(std::get<I>(lists_)[ref.index]);
+  }
+
+  template <class List>
+  struct Storage;
+  template <class... S>
+  struct Storage<TypeList<S...>> {
+    using Type = std::tuple<std::vector<S>...>;
+  };
+  Storage<ShapeKinds>::Type lists_;
+};
+
+} // namespace rt::scene

@@ -1,0 +1,122 @@
+#include "renderer/render/render.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+namespace {
+
+using namespace rt;
+
+// A red unit sphere resting on a grey plane, seen and lit from +z.
+scene::Scene sphere_on_plane() {
+  scene::Scene s;
+  s.size = {64, 48};
+  s.camera.at = {0, 1, 6};
+  s.camera.look_at = {0, 1, 0};
+  s.ambient = grey(0.1);
+  s.background = {0, 0, 1};
+  scene::Material red;
+  red.color = Color{1, 0, 0};
+  s.materials.push_back(red);
+  scene::Object sphere;
+  sphere.at = {0, 1, 0};
+  sphere.shape = s.shapes.add(scene::Sphere{1});
+  sphere.material = scene::MaterialId{0};
+  s.objects.push_back(sphere);
+  scene::Object floor;
+  floor.shape = s.shapes.add(scene::Plane{});
+  s.objects.push_back(floor);
+  scene::PointLight lamp;
+  lamp.at = {0, 1, 6};
+  scene::Light light;
+  light.source = lamp;
+  s.lights.push_back(light);
+  return s;
+}
+
+} // namespace
+
+TEST_CASE("render: a sphere on a plane, its light at the eye") {
+  scene::Scene s = sphere_on_plane();
+  s.size = {65, 49}; // so that there is a middle pixel
+  RenderOptions options;
+  options.layers = true;
+  const Rendered r = render(s, options);
+  REQUIRE(r.is_complete);
+  const std::size_t middle = r.film.index(32, 24);
+  // In the middle n·l = 1: ambient 0.1 and diffuse 0.8 of red.
+  CHECK(r.film.color[middle].r == Approx(0.9).epsilon(1e-6));
+  CHECK(r.film.color[middle].g == 0);
+  CHECK(r.film.depth[middle] == Approx(5).epsilon(1e-14));
+  CHECK(r.film.object_id[middle] == 1);
+  CHECK(r.film.normal[middle].z == 1);
+  // The top left corner sees the sky, the bottom one the plane, 1 below the eye.
+  CHECK(r.film.color[0].b == 1);
+  CHECK(r.film.object_id[0] == 0);
+  const std::size_t corner = r.film.index(0, 48);
+  CHECK(r.film.object_id[corner] == 2);
+  CHECK(r.film.position[corner].y == 0);
+  CHECK(r.film.normal[corner].y == 1);
+}
+
+TEST_CASE("render: any number of threads gives the same bytes") {
+  const scene::Scene s = sphere_on_plane();
+  RenderOptions options;
+  options.threads = 1;
+  const Film one = render(s, options).film;
+  for (const int threads : {2, 5}) {
+    options.threads = threads;
+    const Film film = render(s, options).film;
+    CHECK(std::equal(one.color.begin(), one.color.end(), film.color.begin(),
+                     [](const Rgb32& a, const Rgb32& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }));
+  }
+}
+
+TEST_CASE("render: a crop is that part of the whole picture") {
+  const scene::Scene s = sphere_on_plane();
+  RenderOptions options;
+  const Film whole = render(s, options).film;
+  options.crop = PixelRect{7, 5, 50, 41};
+  const Film part = render(s, options).film;
+  REQUIRE(part.width == 43);
+  REQUIRE(part.height == 36);
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      CHECK(part.color[part.index(x, y)].r == whole.color[whole.index(x + 7, y + 5)].r);
+}
+
+TEST_CASE("render: a stop that is already set leaves the picture incomplete") {
+  const std::atomic<bool> stop = true;
+  RenderOptions options;
+  options.stop = &stop;
+  CHECK_FALSE(render(sphere_on_plane(), options).is_complete);
+}
+
+TEST_CASE("render: a stop ends even a pixel that would take for ever") {
+  // Panes that mirror and let by, one behind the other: the rays of one pixel double with every level.
+  scene::Scene s = sphere_on_plane();
+  s.materials[0].reflect = grey(0.5);
+  s.materials[0].refract = 0.5;
+  s.max_depth = 60;
+  for (int i = 0; i < 6; ++i) {
+    scene::Object pane;
+    scene::Plane plane;
+    plane.normal = {0, 0, 1};
+    plane.offset = 4 - i;
+    pane.shape = s.shapes.add(plane);
+    pane.material = scene::MaterialId{0};
+    s.objects.push_back(pane);
+  }
+  std::atomic<bool> stop = false;
+  RenderOptions options;
+  options.stop = &stop;
+  const auto start = std::chrono::steady_clock::now();
+  std::jthread stopper([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop = true;
+  });
+  CHECK_FALSE(render(s, options).is_complete);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+}

@@ -1,0 +1,83 @@
+#include "lang/load.hpp"
+#include "tools/explain/naming.hpp"
+#include "tools/explain/probe.hpp"
+#include "tools/terminal/exit_code.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+using namespace rt;
+using namespace rt::tools;
+
+namespace {
+
+scene::Scene scene_of(const std::string& text) {
+  auto loaded = lang::load_text(text, "test.rtl", ".", {});
+  REQUIRE(loaded.scene);
+  return std::move(*loaded.scene);
+}
+
+const char* const two_balls = "camera { at: [0, 0, 10], look_at: [0, 0, 0] }\n"
+                              "size: [5, 5]\n"
+                              "sphere { radius: 1, name: \"near\" }\n"
+                              "sphere { radius: 1, at: [0, 0, -5], material: checker { a: red, b: blue } }\n";
+
+} // namespace
+
+TEST_CASE("probe: t counts lengths of the direction, the distance is Euclidean") {
+  const scene::Scene scene = scene_of(two_balls);
+  const Tracer tracer(scene);
+  const auto hits = ask::find_hits(tracer, {{0, 0, 5}, {0, 0, -2}}, true);
+  REQUIRE(hits.size() == 4);
+  CHECK(hits[0].t == 2); // z = 1, four lengths away
+  CHECK(hits[0].distance == 4);
+  CHECK(hits[0].enters);
+  CHECK_FALSE(hits[1].enters);
+  CHECK(hits[3].distance == 11); // z = -6
+  CHECK(hits[0].geometric_normal == Vec3{0, 0, 1});
+}
+
+TEST_CASE("probe: a hit names the object, its line and the pattern's colour there; a miss is an answer") {
+  const scene::Scene scene = scene_of(two_balls);
+  const Tracer tracer(scene);
+  const ask::NamedRay through{{{0.5, 0.25, 9}, {0, 0, -1}}, "ray"};
+  const auto hits = ask::find_hits(tracer, through.ray, true);
+  REQUIRE(hits.size() == 4);
+  CHECK(ask::describe(scene, hits[0].path) == "`near` (test.rtl:3)");
+  CHECK(ask::describe(scene, hits[2].path) == "sphere (test.rtl:4)");
+  // The far ball's own z there is sqrt(1 - 0.25 - 0.0625) = 0.83: the cell (0, 0, 0), even, is a.
+  const auto j = ask::probe_json(scene, through, hits);
+  CHECK(j["hits"][2]["material"]["color"] == nlohmann::ordered_json({1.0, 0.0, 0.0}));
+  CHECK(j["hits"][2]["objects"][0]["line"] == 4);
+  const ask::NamedRay away{{{0, 0, 9}, {0, 1, 0}}, "ray"};
+  CHECK(ask::probe_text(scene, away, ask::find_hits(tracer, away.ray, false), false).find("hits nothing") !=
+        std::string::npos);
+}
+
+TEST_CASE("probe: a pixel means its centre, a point counts from the corner, and both agree") {
+  const scene::Scene scene = scene_of(two_balls);
+  const Tracer tracer(scene);
+  ask::Question pixel, point;
+  pixel.pixel = {2, 2};
+  point.at = {2.5, 2.5};
+  const Ray a = ask::resolve(pixel, scene, tracer.camera()).ray, b = ask::resolve(point, scene, tracer.camera()).ray;
+  CHECK(a.direction == b.direction);
+  CHECK(a.direction.z == Approx(-1)); // the middle of five pixels
+  CHECK(a.direction.x == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("probe: what is no question about the picture is a usage error") {
+  const scene::Scene scene = scene_of(two_balls);
+  const Tracer tracer(scene);
+  ask::Question q;
+  CHECK_THROWS_AS(ask::resolve(q, scene, tracer.camera()), UsageError);
+  q.pixel = {5, 0};
+  CHECK_THROWS_AS(ask::resolve(q, scene, tracer.camera()), UsageError);
+  q.pixel = {4, 0};
+  q.sample = 1; // there is one only, number 0
+  CHECK_THROWS_AS(ask::resolve(q, scene, tracer.camera()), UsageError);
+  CHECK_THROWS_AS(ask::numbers_of("1,2,x", 3, "--ray"), UsageError);
+  CHECK_THROWS_AS(ask::numbers_of("1,2", 3, "--ray"), UsageError);
+}

@@ -1,0 +1,161 @@
+// What the recorder hears is what the picture shows: over random pixels of every example.
+
+#include "lang/load.hpp"
+#include "renderer/render/render.hpp"
+#include "tests/paths.hpp"
+#include "tools/explain/why.hpp"
+#include "tools/explain/why_surface.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+using namespace rt;
+using namespace rt::tools;
+
+namespace {
+
+std::vector<std::string> examples() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(RTLANG_SOURCE_DIR "/examples"))
+    if (entry.path().extension() == ".rtl") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+double gap(const Color& a, const Color& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+template <class F>
+void for_each_surface(const ask::RayNode& node, F&& f) {
+  for (const ask::SurfaceNode& s : node.surfaces) {
+    f(s);
+    if (s.mirror && s.mirror->ray) for_each_surface(*s.mirror->ray, f);
+    if (s.passage && s.passage->ray) for_each_surface(*s.passage->ray, f);
+    if (s.total_reflection) for_each_surface(*s.total_reflection->ray, f);
+  }
+}
+
+// What the equation makes of a ray's parts, which must be what the integrator returned.
+Color assembled(const ask::RayNode& node) {
+  Color sum = black;
+  for (const ask::SurfaceNode& s : node.surfaces) {
+    sum += s.passed * s.shading();
+    if (s.total_reflection) sum += s.passed * s.total_reflection->ray->radiance;
+    if (s.mirror && s.mirror->ray) sum += s.passed * s.mirror->rho * s.mirror->ray->radiance;
+    if (s.passage && s.passage->ray) sum += s.passed * s.passage->tau * s.passage->ray->radiance;
+  }
+  if (node.end == ask::RayNode::End::background)
+    sum += (node.surfaces.empty() ? white : node.surfaces.back().passed * node.surfaces.back().passage->tau) *
+           node.background;
+  return sum;
+}
+
+void check_pixel(const scene::Scene& scene, const Tracer& tracer, std::string_view file, int x, int y) {
+  ask::Question question;
+  question.pixel = {x, y};
+  const ask::Answer answer(scene, file, tracer, question);
+  INFO(file << " pixel " << x << ", " << y);
+  const Color traced = tracer.radiance(answer.ray.ray);
+  CHECK(answer.tree->radiance == traced); // to the last bit
+  CHECK(gap(answer.sum.total, traced) <= 1e-12);
+  CHECK(gap(assembled(*answer.tree), traced) <= 1e-12);
+  for_each_surface(*answer.tree, [&](const ask::SurfaceNode& s) {
+    for (const ask::LampNode& lamp : s.lamps) {
+      Color filter = white;
+      for (const ask::InTheWay& w : lamp.in_the_way) filter *= w.transmittance;
+      CHECK(filter == lamp.record.filter); // the surfaces that are named are those that dim it
+    }
+    const ask::Derivation derivation = ask::derivation_of(answer, s);
+    CHECK(derivation.disagreement < 1e-5); // the rest is what plain formulas lose by cancellation
+    if (const auto stretches = ask::stretches_of(answer, s)) {
+      const bool is_end =
+          std::any_of(stretches->inside.begin(), stretches->inside.end(), [&](const ask::Stretch& stretch) {
+            return std::abs(stretch.enter - s.hit.t) <= 1e-9 * (1 + s.hit.t) ||
+                   std::abs(stretch.leave - s.hit.t) <= 1e-9 * (1 + s.hit.t);
+          });
+      CHECK(is_end);
+    }
+  });
+  const std::string text = ask::why_text(answer, 2);
+  CHECK(text.find("what the tracer has") != std::string::npos);
+}
+
+} // namespace
+
+TEST_CASE("why: over random pixels of every example the terms sum to the radiance, which listening does not change") {
+  std::mt19937 random(1980);
+  for (const std::string& path : examples()) {
+    auto loaded = lang::load_file(path, {});
+    REQUIRE(loaded.scene);
+    const scene::Scene& scene = *loaded.scene;
+    const Tracer tracer(scene, 1);
+    std::uniform_int_distribution<int> column(0, scene.size[0] - 1), row(0, scene.size[1] - 1);
+    for (int i = 0; i < 40; ++i) {
+      const int x = column(random), y = row(random);
+      check_pixel(scene, tracer, path, x, y);
+    }
+  }
+}
+
+TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, one sample or several") {
+  for (const char* name : {"still_life", "nested_glass", "whitted"}) {
+    auto loaded = lang::load_file(std::string(RTLANG_SOURCE_DIR "/examples/") + name + ".rtl", {});
+    REQUIRE(loaded.scene);
+    for (const int samples : {1, 4}) {
+      loaded.scene->samples = samples;
+      const Tracer tracer(*loaded.scene, 1);
+      const int x = loaded.scene->size[0] / 2, y = loaded.scene->size[1] / 2;
+      RenderOptions options;
+      options.threads = 1;
+      options.crop = PixelRect{x, y, x + 4, y + 4};
+      const Rendered picture = render(*loaded.scene, options);
+      for (int i = 0; i < 16; ++i) {
+        ask::Question question;
+        question.pixel = {x + i % 4, y + i / 4};
+        const ask::Answer answer(*loaded.scene, name, tracer, question);
+        const Color whole = answer.pixel.value_or(answer.tree->radiance);
+        CHECK(answer.pixel.has_value() == (samples > 1));
+        const Rgb32& shown = picture.film.color[static_cast<std::size_t>(i)];
+        CHECK(shown.r == static_cast<float>(whole.r));
+        CHECK(shown.g == static_cast<float>(whole.g));
+        CHECK(shown.b == static_cast<float>(whole.b));
+      }
+    }
+  }
+}
+
+TEST_CASE("why: what is too much to tell is summed up, and the sum is still whole") {
+  auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/nested_glass.rtl", {});
+  REQUIRE(loaded.scene);
+  const Tracer tracer(*loaded.scene, 1);
+  const Ray ray = tracer.camera().ray(400.5, 300.5);
+  const auto whole = ask::record(tracer, ray), part = ask::record(tracer, ray, 3);
+  const ask::Sum sum = ask::take_apart(*part);
+  CHECK(part->radiance == whole->radiance);
+  CHECK(gap(sum.total, whole->radiance) <= 1e-12);
+  CHECK(std::any_of(sum.terms.begin(), sum.terms.end(),
+                    [](const ask::Contribution& t) { return t.kind == ask::Contribution::Kind::untold; }));
+  std::size_t told = 0;
+  for_each_surface(*part, [&](const ask::SurfaceNode&) { ++told; });
+  CHECK(told == 3);
+}
+
+TEST_CASE("why: every sample of a pixel can be asked about, and their mean is the pixel") {
+  auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/still_life.rtl", {});
+  REQUIRE(loaded.scene);
+  loaded.scene->samples = 9;
+  const Tracer tracer(*loaded.scene, 1);
+  Color sum = black;
+  ask::Question question;
+  question.pixel = {440, 330};
+  for (int i = 0; i < 9; ++i) {
+    question.sample = i;
+    sum += ask::Answer(*loaded.scene, "", tracer, question).tree->radiance;
+  }
+  CHECK(gap(sum * (1.0 / 9), ask::Answer(*loaded.scene, "", tracer, question).pixel.value()) < 1e-15);
+}

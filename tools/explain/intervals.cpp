@@ -1,0 +1,149 @@
+#include "tools/explain/intervals.hpp"
+
+#include "renderer/compile/geometries.hpp"
+#include "tools/explain/derivation/derivation.hpp"
+#include "tools/explain/naming.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rt::tools::ask {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int deepest = 200;
+
+Stretches complement(const Stretches& a) {
+  Stretches outside;
+  double from = -infinity;
+  for (const Stretch& s : a) {
+    if (s.enter > from) outside.push_back({from, s.enter});
+    from = s.leave;
+  }
+  if (from < infinity) outside.push_back({from, infinity});
+  return outside;
+}
+
+template <Solidlike G>
+Stretches of_shape(const G& shape, const Ray& ray) {
+  Stretches inside;
+  const Crossings found = crossings(shape, ray);
+  for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(found.count); i += 2)
+    inside.push_back({found.at[i].t, found.at[i + 1].t});
+  return inside;
+}
+
+struct TooDeep {};
+
+// Where the line is inside of what the object is, a shape, a group's union or a combination. `ray` is in its parent's
+// space.
+class Walker {
+public:
+  explicit Walker(const scene::Scene& scene) : scene_(scene) {}
+
+  Stretches along(const scene::Object& object, const Ray& ray, int depth) const {
+    if (depth > deepest) throw TooDeep{};
+    const auto back = inverse(to_parent(scene_, object));
+    if (!back) return {};
+    const Ray own = back->ray(ray);
+    return scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) -> Stretches {
+      if constexpr (std::is_same_v<S, scene::Group>)
+        return all(shape.members, scene::Combination::Operation::unite, own, depth);
+      else if constexpr (std::is_same_v<S, scene::Combination>)
+        return all(shape.operands, shape.operation, own, depth);
+      else if constexpr (Solidlike<GeometryOf<S>>)
+        return of_shape(geometry(shape), own);
+      else
+        return {}; // it has no inside
+    });
+  }
+
+private:
+  Stretches all(const std::vector<scene::Object>& objects, scene::Combination::Operation operation, const Ray& ray,
+                int depth) const {
+    Stretches inside;
+    bool is_first = true;
+    for (const scene::Object& object : objects) {
+      if (!object.is_visible) {
+        // Where there is nothing to take away from, nothing is left.
+        if (is_first && &object == &objects.front() && operation == scene::Combination::Operation::subtract) return {};
+        continue;
+      }
+      inside = is_first ? along(object, ray, depth + 1) : combine(operation, inside, along(object, ray, depth + 1));
+      is_first = false;
+    }
+    return inside;
+  }
+
+public:
+  static Stretches combine(scene::Combination::Operation operation, const Stretches& a, const Stretches& b) {
+    switch (operation) {
+    case scene::Combination::Operation::unite:
+      return unite(a, b);
+    case scene::Combination::Operation::intersect:
+      return rt::tools::ask::intersect(a, b);
+    case scene::Combination::Operation::subtract:
+      return subtract(a, b);
+    }
+    return {};
+  }
+
+private:
+  const scene::Scene& scene_;
+};
+
+} // namespace
+
+Stretches unite(const Stretches& a, const Stretches& b) {
+  Stretches sorted = a, whole;
+  sorted.insert(sorted.end(), b.begin(), b.end());
+  std::sort(sorted.begin(), sorted.end(), [](const Stretch& s, const Stretch& t) { return s.enter < t.enter; });
+  for (const Stretch& s : sorted) {
+    if (!whole.empty() && s.enter <= whole.back().leave)
+      whole.back().leave = std::max(whole.back().leave, s.leave);
+    else
+      whole.push_back(s);
+  }
+  return whole;
+}
+
+Stretches intersect(const Stretches& a, const Stretches& b) {
+  Stretches both;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    const Stretch common{std::max(i->enter, j->enter), std::min(i->leave, j->leave)};
+    if (common.enter < common.leave) both.push_back(common);
+    i->leave < j->leave ? ++i : ++j;
+  }
+  return both;
+}
+
+Stretches subtract(const Stretches& a, const Stretches& b) {
+  return intersect(a, complement(b));
+}
+
+std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
+                                                    const Ray& ray) {
+  const auto objects = objects_on(scene, path);
+  std::size_t at = 0;
+  while (at < objects.size() && objects[at]->shape.kind != scene::kind_of<scene::Combination>) ++at;
+  if (at == objects.size()) return std::nullopt;
+  const auto back = inverse(map_of(scene, path.subspan(0, at + 1)));
+  if (!back) return std::nullopt;
+  const Ray own = back->ray(ray);
+  const auto& combination = scene.shapes.get<scene::Combination>(objects[at]->shape);
+  CombinationStretches result{static_cast<std::uint32_t>(at), combination.operation, {}, {}};
+  try {
+    const Walker walker(scene);
+    for (const scene::Object& operand : combination.operands) {
+      if (!operand.is_visible) continue;
+      Stretches inside = walker.along(operand, own, 0);
+      result.inside = result.operands.empty() ? inside : Walker::combine(combination.operation, result.inside, inside);
+      result.operands.push_back({&operand, std::move(inside)});
+    }
+  } catch (const TooDeep&) {
+    return std::nullopt;
+  }
+  return result;
+}
+
+} // namespace rt::tools::ask

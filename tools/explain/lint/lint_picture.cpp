@@ -1,0 +1,196 @@
+// Surfaces in one place, media in one another, and what becomes of light.
+
+#include "tools/explain/lint/lint_parts.hpp"
+#include "tools/explain/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt::tools::ask {
+namespace {
+
+constexpr std::uint64_t least_evidence = 3; // pixels that show a thing, before it is said of lines
+
+/// A stretch of a ray within a transparent solid.
+struct Stretch {
+  double begin, end;
+  const HitReport* hit; ///< where it is entered or left
+};
+
+bool uses_media(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.materials, [](const scene::Material& m) { return m.refract > 0 && m.ior != 1; });
+}
+
+/// Of the transparent solids up to the first opaque surface.
+std::vector<Stretch> stretches(const LintContext& context, const std::vector<HitReport>& hits) {
+  std::vector<Stretch> found;
+  std::map<std::uint64_t, const HitReport*> entered;
+  for (const HitReport& hit : hits) {
+    if (hit.material.refract == 0) break;
+    if (!is_solid(context.scene, objects_on(context.scene, hit.path))) continue;
+    if (hit.enters) {
+      entered.emplace(hit.order, &hit);
+    } else if (const auto begin = entered.find(hit.order); begin != entered.end()) {
+      found.push_back({begin->second->t, hit.t, begin->second});
+      entered.erase(begin);
+    }
+  }
+  return found;
+}
+
+struct Overlap {
+  std::uint64_t count = 0;
+  std::string first, second;
+};
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  return fmt::format("{:.0f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+Line most_common(const std::map<Line, std::uint64_t>& counts) {
+  Line best;
+  std::uint64_t most = 0;
+  for (const auto& [line, count] : counts)
+    if (count > most) best = line, most = count;
+  return best;
+}
+
+/// Why a lamp gives nothing, and what to do.
+std::pair<std::string, std::string> darkness(const LintContext& context, const Lamp& lamp, const LampTally& tally) {
+  if (lamp.color == black) return {"its `color` or `intensity` is 0", "give it some, or take it out"};
+  if (tally.blocked > 0 && tally.blocked >= tally.averted) {
+    const Line line = most_common(tally.blockers);
+    const std::string where = context.findings.place(line);
+    return {where.empty() ? "something opaque is always in the way"
+                          : fmt::format("what {} places is in the way of it", where),
+            "move one of them, or write `casts_shadow: false` where the shadow is not wanted"};
+  }
+  if (lamp.kind == Lamp::Kind::spot && tally.dark > 0 && tally.averted <= tally.dark)
+    return {"nothing that is seen lies within its cone", "look at its `look_at` and `angle`"};
+  return {"all that is seen faces the other way", "it shines from behind: move it to the side that the camera sees"};
+}
+
+} // namespace
+
+void find_coincidences(LintContext& context) {
+  for (const auto& [lines, c] : context.survey.coincidences) {
+    if (c.count < least_evidence) continue;
+    lang::Diagnostic& d = context.findings.warn("W0205", lines.second,
+                                                fmt::format("{} and {} have a surface in common", c.second, c.first));
+    d.label = c.is_through ? "rays through one of them miss the other, pixel by pixel"
+                           : "which of the two is seen is left to rounding";
+    if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
+    d.notes.push_back({std::nullopt, "move one of them by a little, such as 0.001, or make one solid of both"});
+  }
+}
+
+void find_overlaps(LintContext& context) {
+  if (!uses_media(context.scene)) return;
+  const auto [width, height] = context.scene.size;
+  const double step = std::max(1.0, std::sqrt(static_cast<double>(width) * height / static_cast<double>(survey_rays)));
+  std::map<std::pair<Line, Line>, Overlap> overlaps;
+  for (double y = step / 2; y < height && !is_stopped(context.options); y += step) {
+    for (double x = step / 2; x < width; x += step) {
+      const auto hits = context.tracer.all_hits(context.tracer.camera().ray(std::floor(x) + 0.5, std::floor(y) + 0.5));
+      if (hits.size() < 4) continue;
+      const auto inside = stretches(context, hits);
+      for (const Stretch& a : inside) {
+        for (const Stretch& b : inside) {
+          const double slack = 1e-6 * (1 + std::abs(b.end));
+          const bool is_crossed = a.begin + slack < b.begin && b.begin + slack < a.end && a.end + slack < b.end;
+          if (a.hit->order == b.hit->order || !is_crossed || (a.hit->ior == 1 && b.hit->ior == 1)) continue;
+          const scene::Object &one = thing_of(objects_on(context.scene, a.hit->path)),
+                              &other = thing_of(objects_on(context.scene, b.hit->path));
+          const bool is_in_order = line_of(one.origin) <= line_of(other.origin);
+          Overlap& overlap = overlaps[std::minmax(line_of(one.origin), line_of(other.origin))];
+          if (overlap.count++ > 0) continue;
+          overlap.first = context.findings.name(is_in_order ? one : other);
+          overlap.second = context.findings.name(is_in_order ? other : one);
+        }
+      }
+    }
+  }
+  for (const auto& [lines, overlap] : overlaps) {
+    if (overlap.count < least_evidence) continue;
+    lang::Diagnostic& d = context.findings.warn(
+        "W0208", lines.second,
+        fmt::format("{} and {} overlap, and both are transparent", overlap.second, overlap.first));
+    d.label = "which of them light is in there is not clear";
+    if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
+    d.notes.push_back({std::nullopt, "make one solid of them with `a | b`, cut one out of the other with `b - a`, or "
+                                     "put one wholly into the other"});
+  }
+}
+
+void find_dark_lights(LintContext& context) {
+  if (context.view.hits == 0 || context.is_eye_shut_in) return;
+  const auto& lamps = context.tracer.scene().lamps();
+  const auto is_dark = [](const LampTally& tally) { return !tally.is_lit; };
+  if (std::ranges::none_of(context.survey.lamps, is_dark)) return;
+  const Survey closer = survey_of(context, 10 * survey_rays); // what it reaches may be small
+  struct Dark {
+    std::size_t first = 0;
+    std::uint64_t count = 0;
+  };
+  std::map<Line, Dark> lines;
+  std::set<Line> lit;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const Line line = line_of(context.scene.lights[i].origin);
+    if (closer.lamps[i].is_lit || context.survey.lamps[i].is_lit) {
+      lit.insert(line);
+    } else if (Dark& dark = lines[line]; dark.count++ == 0) {
+      dark.first = i;
+    }
+  }
+  for (const auto& [line, dark] : lines) {
+    // Of a row of lights some may look elsewhere.
+    if (lit.contains(line) || context.shut_in_lights.contains(line)) continue;
+    const std::string name = Findings::subject(name_of(context.scene, context.scene.lights[dark.first]), dark.count);
+    lang::Diagnostic& d = context.findings.warn("W0301", line, fmt::format("{} reaches nothing that is seen", name));
+    auto [why, advice] = darkness(context, lamps[dark.first], closer.lamps[dark.first]);
+    d.label = std::move(why);
+    d.notes.push_back({std::nullopt, std::move(advice)});
+  }
+}
+
+void find_exposure(LintContext& context) {
+  const Survey& s = context.survey;
+  if (s.surfaces == 0 || context.is_eye_shut_in) return;
+  if (s.black == s.surfaces) {
+    lang::Diagnostic& d = context.findings.warn("W0302", {}, "all that is seen is black");
+    const bool has_light = !context.scene.lights.empty(), has_ambient = context.scene.ambient != black;
+    const std::string lights = has_light ? "no light reaches it" : "there is no light";
+    d.notes.push_back(
+        {std::nullopt, has_ambient
+                           ? fmt::format("{}, and its materials give back nothing of the `ambient` light", lights)
+                           : fmt::format("{}, and `ambient` is 0", lights)});
+    d.notes.push_back({std::nullopt, has_light ? "`rtlang why` shows for a pixel what is in the way"
+                                               : "add a `sun {}` or a `light { at: … }`"});
+    return;
+  }
+  if (2 * s.clipped <= s.surfaces) return;
+  lang::Diagnostic& d = context.findings.warn(
+      "W0303", {},
+      fmt::format("{} of what is seen is brighter than the picture can show", percent(s.clipped, s.surfaces)));
+  d.notes.push_back(
+      {std::nullopt,
+       "lower the `intensity` of the lights or `ambient`: above 1 there is only white, and colours shift"});
+}
+
+void find_cut_off_rays(LintContext& context) {
+  const Survey& s = context.survey;
+  if (s.rays == 0 ||
+      100.0 * static_cast<double>(s.cut_off) <= context.options.depth_share * static_cast<double>(s.rays))
+    return;
+  const Line line = most_common(s.cut_off_at);
+  lang::Diagnostic& d = context.findings.warn("W0304", line,
+                                              fmt::format("{} of the pixels lose light at `max_depth` ({})",
+                                                          percent(s.cut_off, s.rays), context.scene.max_depth));
+  d.label = "most of it here";
+  d.notes.push_back(
+      {std::nullopt, fmt::format("raise it, as in `max_depth: {}`", 2 * std::max(context.scene.max_depth, 4))});
+}
+
+} // namespace rt::tools::ask

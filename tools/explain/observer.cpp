@@ -1,0 +1,49 @@
+#include "tools/explain/observer.hpp"
+
+#include "renderer/render/ray_query.hpp"
+#include "tools/explain/naming.hpp"
+
+#include <cmath>
+
+namespace rt::tools::ask {
+namespace {
+
+class TracingObserver final : public lang::Observer {
+public:
+  explicit TracingObserver(const scene::Scene& scene) : scene_(scene), tracer_(scene) {}
+
+  Ray image_ray(double x, double y) const override { return tracer_.camera().ray(x, y); }
+
+  std::optional<lang::Sighting> nearest(const Ray& ray) const override {
+    const auto hit = tracer_.nearest(ray);
+    if (!hit) return std::nullopt;
+    lang::Sighting seen{hit->t, hit->distance, hit->geometric_normal, {}, title(scene_, hit->path)};
+    for (const scene::Object* object : objects_on(scene_, hit->path)) seen.objects.push_back(*object);
+    return seen;
+  }
+
+  std::vector<double> crossings(const Ray& ray) const override {
+    std::vector<double> t;
+    for (const HitReport& hit : tracer_.all_hits(ray)) t.push_back(hit.t);
+    return t;
+  }
+
+  Color pixel_color(int x, int y) const override {
+    const int side = static_cast<int>(std::lround(std::sqrt(scene_.samples)));
+    Color sum = black;
+    for (int i = 0; i < side * side; ++i) sum = sum + tracer_.radiance(tracer_.camera().ray(x, y, i, side));
+    return sum * (1.0 / (side * side));
+  }
+
+private:
+  const scene::Scene& scene_;
+  Tracer tracer_;
+};
+
+} // namespace
+
+lang::ObserverMaker tracing_observer() {
+  return [](const scene::Scene& scene) { return std::make_unique<TracingObserver>(scene); };
+}
+
+} // namespace rt::tools::ask

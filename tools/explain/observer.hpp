@@ -1,0 +1,10 @@
+#pragma once
+
+#include "lang/builtins/expect.hpp"
+
+namespace rt::tools::ask {
+
+/// Who looks at a scene for the expectations in it: the tracer that makes the pictures.
+lang::ObserverMaker tracing_observer();
+
+} // namespace rt::tools::ask

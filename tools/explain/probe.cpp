@@ -1,0 +1,112 @@
+#include "tools/explain/probe.hpp"
+
+#include "tools/explain/naming.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rt::tools::ask {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json to_json(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+json to_json(const Color& c) {
+  return {c.r, c.g, c.b};
+}
+
+std::string material_text(const HitReport& hit) {
+  const MaterialValues& m = hit.material;
+  std::string text = fmt::format("color {}, ambient {}, diffuse {}, specular {:.10g}, shininess {:.10g}",
+                                 text_of(m.color), text_of(m.ambient), text_of(m.diffuse), m.specular, m.shininess);
+  if (m.highlight == scene::Highlight::phong) text += " (phong)";
+  if (m.metallic != 0) text += fmt::format(", metallic {:.10g}", m.metallic);
+  if (!(m.reflect == black)) text += fmt::format(", reflect {}", text_of(m.reflect));
+  if (m.refract != 0) text += fmt::format(", refract {:.10g}, ior {:.10g}", m.refract, hit.ior);
+  if (m.fresnel) text += ", fresnel";
+  if (!(m.emission == black)) text += fmt::format(", emission {}", text_of(m.emission));
+  return text;
+}
+
+std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
+  std::string text = fmt::format("  object    {}\n", describe(scene, hit.path));
+  text += fmt::format("  t         {:.17g}    distance {:.17g}\n", hit.t, hit.distance);
+  text += fmt::format("  point     {}\n", text_of(hit.point));
+  text += fmt::format("  normal    {}    the ray {} here\n", text_of(hit.geometric_normal),
+                      hit.enters ? "enters" : "leaves");
+  if (!(hit.shading_normal == hit.geometric_normal))
+    text += fmt::format("  shaded as {}\n", text_of(hit.shading_normal));
+  text += fmt::format("  material  {}\n", material_text(hit));
+  return text;
+}
+
+json hit_json(const scene::Scene& scene, const HitReport& hit) {
+  const MaterialValues& m = hit.material;
+  json objects = json::array();
+  for (const scene::Object* object : objects_on(scene, hit.path)) {
+    json o{{"shape", scene.shapes.visit(object->shape, [](const auto& shape) { return std::string(shape.noun); })}};
+    if (object->name != scene::no_name) o["name"] = scene.names[static_cast<std::size_t>(object->name)];
+    if (object->origin.line != 0) o["file"] = scene.files[object->origin.file], o["line"] = object->origin.line;
+    objects.push_back(std::move(o));
+  }
+  return {{"objects", std::move(objects)},
+          {"t", hit.t},
+          {"distance", hit.distance},
+          {"point", to_json(hit.point)},
+          {"normal", to_json(hit.geometric_normal)},
+          {"shading_normal", to_json(hit.shading_normal)},
+          {"enters", hit.enters},
+          {"material",
+           {{"color", to_json(m.color)},
+            {"ambient", to_json(m.ambient)},
+            {"diffuse", to_json(m.diffuse)},
+            {"emission", to_json(m.emission)},
+            {"specular", m.specular},
+            {"shininess", m.shininess},
+            {"highlight", m.highlight == scene::Highlight::phong ? "phong" : "blinn"},
+            {"metallic", m.metallic},
+            {"reflect", to_json(m.reflect)},
+            {"refract", m.refract},
+            {"ior", hit.ior},
+            {"fresnel", m.fresnel}}}};
+}
+
+} // namespace
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z);
+}
+
+std::string text_of(const Color& c) {
+  if (c.r == c.g && c.g == c.b) return fmt::format("{:.9g}", c.r);
+  return fmt::format("linear_rgb({:.9g}, {:.9g}, {:.9g})", c.r, c.g, c.b);
+}
+
+std::vector<HitReport> find_hits(const Tracer& tracer, const Ray& ray, bool all) {
+  if (all) return tracer.all_hits(ray);
+  std::vector<HitReport> hits;
+  if (auto hit = tracer.nearest(ray)) hits.push_back(std::move(*hit));
+  return hits;
+}
+
+std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits, bool all) {
+  std::string text =
+      fmt::format("{}: from {} along {}\n", ray.name, text_of(ray.ray.origin), text_of(ray.ray.direction));
+  if (hits.empty()) return text + "  hits nothing: the background is seen\n";
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (all) text += fmt::format("hit {} of {}\n", i + 1, hits.size());
+    text += hit_text(scene, hits[i]);
+  }
+  return text;
+}
+
+json probe_json(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits) {
+  json list = json::array();
+  for (const HitReport& hit : hits) list.push_back(hit_json(scene, hit));
+  return {{"ray", {{"origin", to_json(ray.ray.origin)}, {"direction", to_json(ray.ray.direction)}}},
+          {"hits", std::move(list)}};
+}
+
+} // namespace rt::tools::ask

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "tools/explain/question.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+/// What a ray meets.
+namespace rt::tools::ask {
+
+/// The hits of a ray, the nearest only or all, as text and as JSON. A miss is an answer.
+std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits, bool all);
+nlohmann::ordered_json probe_json(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits);
+
+/// The nearest hit, or all.
+std::vector<HitReport> find_hits(const Tracer& tracer, const Ray& ray, bool all);
+
+/// A vector and a colour as they would be written in a scene, with the digits that tell them apart.
+std::string text_of(const Vec3& v);
+std::string text_of(const Color& c);
+
+} // namespace rt::tools::ask

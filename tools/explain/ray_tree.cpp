@@ -1,0 +1,144 @@
+#include "tools/explain/ray_tree.hpp"
+
+#include "renderer/integrators/whitted.hpp"
+
+namespace rt::tools::ask {
+namespace {
+
+using Integrator = Whitted<>;
+
+class Recorder {
+public:
+  Recorder(const Traceable& scene, std::size_t most_surfaces) : scene_(scene), surfaces_left_(most_surfaces) {}
+
+  void begin_ray(RayKind kind, const Ray& ray, int depth, const Color& weight) {
+    RayNode* const node = add_ray();
+    open_.push_back(node);
+    if (!node) return;
+    node->kind = kind;
+    node->ray = next_ = ray;
+    node->depth = depth;
+    node->weight = weight;
+    node->is_told = surfaces_left_ > 0;
+    passed_.push_back(white);
+  }
+
+  void end_ray(const Color& radiance) {
+    RayNode* const node = open_.back();
+    open_.pop_back();
+    if (!node) return;
+    node->radiance = radiance;
+    passed_.pop_back();
+  }
+
+  void miss(const Color& background) {
+    if (!is_told()) return;
+    open_.back()->end = RayNode::End::background;
+    open_.back()->background = background;
+  }
+
+  void too_deep() {
+    if (is_told()) open_.back()->end = RayNode::End::too_deep;
+  }
+
+  void surface(const RayHit& hit, const Surface& surface, const MaterialValues& values, const Vec3& normal) {
+    if (!is_told()) return;
+    if (surfaces_left_ > 0) --surfaces_left_;
+    SurfaceNode node;
+    node.ray = next_;
+    node.hit = hit;
+    node.path = scene_.path(hit);
+    node.surface = surface;
+    node.material = values;
+    node.normal = normal;
+    node.passed = passed_.back();
+    open_.back()->surfaces.push_back(std::move(node));
+  }
+
+  void own_light(const Color& ambient, const Color& emission) {
+    if (!is_told()) return;
+    last().ambient = ambient;
+    last().emission = emission;
+  }
+
+  void light(const LightRecord& record, const Surface& surface) {
+    if (!is_told()) return;
+    last().lamps.push_back({record, record.filter == white ? std::vector<InTheWay>{} : in_the_way(record, surface)});
+  }
+
+  void reflection(const Color& rho, double reflectance, double cosine, double eta) {
+    if (is_told()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, nullptr};
+  }
+
+  void refraction(const Color& tau, const Passage& passage, double cosine, double cosine_behind) {
+    if (!is_told()) return;
+    SurfaceNode& s = last();
+    s.passage = PassageNode{tau, passage, cosine, cosine_behind, nullptr};
+    // Needed only if the ray goes on unbent: it leaves the surface as a shadow ray in its direction would.
+    Incidence onward{};
+    onward.to_light = s.ray.direction;
+    next_ = Integrator::shadow_ray(s.surface, onward);
+    passed_.back() = s.passed * tau;
+  }
+
+  void total_reflection(const Passage& passage, double cosine) {
+    if (is_told()) last().total_reflection = TotalReflectionNode{passage, cosine, nullptr};
+  }
+
+  std::unique_ptr<RayNode> root;
+
+private:
+  bool is_told() const { return open_.back() && open_.back()->is_told; }
+  SurfaceNode& last() { return open_.back()->surfaces.back(); }
+
+  // The node for a ray that begins: the root, or the branch of the surface that told of it last. None below a ray that
+  // is not told.
+  RayNode* add_ray() {
+    auto node = std::make_unique<RayNode>();
+    RayNode* const added = node.get();
+    if (open_.empty()) {
+      root = std::move(node);
+      return added;
+    }
+    if (!is_told()) return nullptr;
+    SurfaceNode& s = last();
+    (s.total_reflection ? s.total_reflection->ray : s.passage ? s.passage->ray : s.mirror->ray) = std::move(node);
+    return added;
+  }
+
+  std::vector<InTheWay> in_the_way(const LightRecord& record, const Surface& surface) const {
+    const Ray ray = Integrator::shadow_ray(surface, record.incidence);
+    std::vector<InTheWay> found;
+    for (const RayHit& hit : scene_.all_hits(ray, Integrator::shadow_range(record.incidence))) {
+      if (!scene_.casts_shadow(hit)) continue;
+      MaterialValues scratch;
+      const MaterialValues& v = scene_.values(scene_.surface(ray, hit), scratch);
+      found.push_back({scene_.path(hit), hit.t, v.color * v.refract});
+      if (v.refract == 0) break;
+    }
+    return found;
+  }
+
+  const Traceable& scene_;
+  std::size_t surfaces_left_;
+  std::vector<RayNode*> open_;
+  std::vector<Color> passed_; // of the open rays that have a node
+  Ray next_;                  // that meets the next surface
+};
+
+} // namespace
+
+Color SurfaceNode::shading() const {
+  Color sum = ambient + emission;
+  for (const LampNode& lamp : lamps) sum += lamp.record.diffuse + lamp.record.highlight;
+  return sum;
+}
+
+std::unique_ptr<RayNode> record(const Tracer& tracer, const Ray& ray, std::size_t most_surfaces) {
+  Recorder recorder(tracer.scene(), most_surfaces);
+  Whitted<OwnTolerances, Recorder> integrator(tracer.scene(), recorder);
+  integrator.radiance(Tracer::unit(ray), tracer.scene().around(ray.origin));
+  return std::move(recorder.root);
+}
+
+} // namespace rt::tools::ask

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "renderer/integrators/recorder.hpp"
+#include "renderer/render/ray_query.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// A ray and all that came of it, as the integrator told it: the numbers of this tree are the picture's own.
+namespace rt::tools::ask {
+
+struct RayNode;
+
+/// A surface between a point and a lamp.
+struct InTheWay {
+  std::vector<std::uint32_t> path; ///< `HitReport::path`
+  double distance = 0;             ///< from the point
+  Color transmittance;             ///< black: it is opaque
+};
+
+/// A lamp as one point sees it.
+struct LampNode {
+  LightRecord record;
+  std::vector<InTheWay> in_the_way; ///< from the point on, up to the first opaque one; their product is the filter
+};
+
+/// The mirrored branch of a surface.
+struct MirrorNode {
+  Color rho;
+  double reflectance = 1;       ///< Fresnel's, or 1 where it is not asked for
+  double cosine = 0;            ///< of the ray's angle with the normal
+  double eta = 1;               ///< ior of the other side by that of this one, where Fresnel's is asked for
+  std::unique_ptr<RayNode> ray; ///< none where ρ is black
+};
+
+/// The refracted branch.
+struct PassageNode {
+  Color tau;
+  Passage passage;
+  double cosine = 0, cosine_behind = 0; ///< of the angles with the normal, before and behind the surface
+  std::unique_ptr<RayNode> ray; ///< none where τ is black, or the ray goes on unbent: then the next surface is its own
+};
+
+/// What takes the place of both on total internal reflection.
+struct TotalReflectionNode {
+  Passage passage; ///< that did not take place
+  double cosine = 0;
+  std::unique_ptr<RayNode> ray;
+};
+
+/// One surface that a ray met.
+struct SurfaceNode {
+  Ray ray; ///< as it came: the node's own, or what goes on unbent behind the surface before
+  RayHit hit;
+  std::vector<std::uint32_t> path;
+  Surface surface;
+  MaterialValues material;
+  Vec3 normal;  ///< the shading normal, turned to the viewer
+  Color passed; ///< what the surfaces before it that were crossed unbent let by
+  Color ambient, emission;
+  std::vector<LampNode> lamps;
+  std::optional<MirrorNode> mirror;
+  std::optional<PassageNode> passage;
+  std::optional<TotalReflectionNode> total_reflection;
+
+  /// Its own light and the lamps'.
+  Color shading() const;
+};
+
+struct RayNode {
+  /// How it ends after its last surface.
+  enum class End : std::uint8_t {
+    surface,    ///< at it
+    background, ///< in it: nothing is met
+    too_deep    ///< it would be deeper than the scene's max_depth
+  };
+
+  RayKind kind = RayKind::camera;
+  Ray ray; ///< unit direction
+  int depth = 0;
+  Color weight; ///< of its radiance in the first ray's
+  std::vector<SurfaceNode> surfaces;
+  End end = End::surface;
+  Color background;
+  Color radiance;
+  bool is_told = true; ///< false: there were too many rays, and only the radiance is known
+};
+
+/// Traces the ray with the picture's integrator and listens. Rays beyond `most_surfaces` surfaces are not told in
+/// detail.
+std::unique_ptr<RayNode> record(const Tracer& tracer, const Ray& ray, std::size_t most_surfaces = 20'000);
+
+} // namespace rt::tools::ask

@@ -1,0 +1,202 @@
+#include "tools/explain/naming.hpp"
+#include "tools/explain/why_surface.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace rt::tools::ask {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json to_json(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+json to_json(const Color& c) {
+  return {c.r, c.g, c.b};
+}
+// JSON has no infinity: a sun's distance is null.
+json to_json(double v) {
+  return std::isfinite(v) ? json(v) : json(nullptr);
+}
+
+double degrees(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180 / std::numbers::pi);
+}
+
+json ray_json(const Ray& ray) {
+  return {{"origin", to_json(ray.origin)}, {"direction", to_json(ray.direction)}};
+}
+
+json place_json(const scene::Scene& scene, json named, scene::Origin origin) {
+  if (origin.line != 0 && origin.file < scene.files.size())
+    named["file"] = scene.files[origin.file], named["line"] = origin.line;
+  return named;
+}
+
+json objects_json(const scene::Scene& scene, std::span<const std::uint32_t> path) {
+  json objects = json::array();
+  for (const scene::Object* object : objects_on(scene, path)) {
+    json o{{"shape", scene.shapes.visit(object->shape, [](const auto& shape) { return std::string(shape.noun); })}};
+    if (object->name != scene::no_name) o["name"] = scene.names[static_cast<std::size_t>(object->name)];
+    objects.push_back(place_json(scene, std::move(o), object->origin));
+  }
+  return objects;
+}
+
+json derivation_json(const Derivation& d) {
+  json j{{"shape", d.shape}, {"equation", d.equation}, {"own_space", d.is_own_space}, {"ray", ray_json(d.ray)}};
+  json quantities = json::object(), words = json::array();
+  for (const DerivationLine& line : d.lines) {
+    for (const Quantity& q : line.quantities)
+      quantities[q.key] = std::holds_alternative<double>(q.value) ? to_json(std::get<double>(q.value))
+                                                                  : to_json(std::get<Vec3>(q.value));
+    if (!line.words.empty()) words.push_back(line.words);
+  }
+  j["quantities"] = std::move(quantities);
+  j["says"] = std::move(words);
+  if (!d.choice.empty()) j["choice"] = d.choice;
+  j["t"] = d.t;
+  j["disagreement"] = d.disagreement;
+  return j;
+}
+
+json stretches_json(const Stretches& stretches) {
+  json list = json::array();
+  for (const Stretch& s : stretches) list.push_back({to_json(s.enter), to_json(s.leave)});
+  return list;
+}
+
+json combination_json(const scene::Scene& scene, const CombinationStretches& c) {
+  static constexpr std::string_view names[] = {"union", "intersection", "difference"};
+  json operands = json::array();
+  for (const OperandStretches& operand : c.operands) {
+    json o{{"object", name_of(scene, *operand.object)}};
+    o = place_json(scene, std::move(o), operand.object->origin);
+    o["inside"] = stretches_json(operand.inside);
+    operands.push_back(std::move(o));
+  }
+  return {{"operation", names[static_cast<std::size_t>(c.operation)]},
+          {"operands", std::move(operands)},
+          {"inside", stretches_json(c.inside)}};
+}
+
+std::string_view name_of(Passage::Kind kind) {
+  return kind == Passage::Kind::entering ? "entering" : kind == Passage::Kind::leaving ? "leaving" : "leaving_outer";
+}
+
+json passage_json(const Passage& p) {
+  return {{"kind", name_of(p.kind)}, {"ior_from", p.ior_from}, {"ior_to", p.ior_to}};
+}
+
+class TreeJson {
+public:
+  TreeJson(const Answer& answer, int depth) : answer_(answer), depth_(depth) {}
+
+  json ray(const RayNode& node) const {
+    static constexpr std::string_view kinds[] = {"camera", "reflected", "refracted", "total_reflection"};
+    static constexpr std::string_view ends[] = {"surface", "background", "max_depth"};
+    json j{{"kind", kinds[static_cast<std::size_t>(node.kind)]},
+           {"depth", node.depth},
+           {"weight", to_json(node.weight)},
+           {"ray", ray_json(node.ray)},
+           {"radiance", to_json(node.radiance)}};
+    if (!node.is_told || node.depth > depth_) return j;
+    json surfaces = json::array();
+    for (const SurfaceNode& s : node.surfaces) surfaces.push_back(surface(s));
+    j["surfaces"] = std::move(surfaces);
+    j["ends_at"] = ends[static_cast<std::size_t>(node.end)];
+    return j;
+  }
+
+private:
+  json surface(const SurfaceNode& s) const {
+    const MaterialValues& m = s.material;
+    json j{{"objects", objects_json(answer_.scene, s.path)},
+           {"ray", ray_json(s.ray)},
+           {"t", s.hit.t},
+           {"point", to_json(s.surface.point)},
+           {"normal", to_json(s.normal)},
+           {"enters", dot(s.surface.geometric_normal, s.ray.direction) < 0}};
+    if (const auto stretches = stretches_of(answer_, s)) j["combination"] = combination_json(answer_.scene, *stretches);
+    j["derivation"] = derivation_json(derivation_of(answer_, s));
+    j["color"] = to_json(m.color);
+    j["refract"] = m.refract;
+    j["passed"] = to_json(s.passed);
+    j["ambient"] = to_json(s.ambient);
+    j["emission"] = to_json(s.emission);
+    json lights = json::array();
+    for (const LampNode& node : s.lamps) lights.push_back(lamp(node));
+    j["lights"] = std::move(lights);
+    if (s.mirror) j["mirror"] = mirror(*s.mirror);
+    if (s.passage) j["passage"] = passage(*s.passage);
+    if (s.total_reflection)
+      j["total_reflection"] = {{"passage", passage_json(s.total_reflection->passage)},
+                               {"angle", degrees(s.total_reflection->cosine)},
+                               {"ray", ray(*s.total_reflection->ray)}};
+    return j;
+  }
+
+  json lamp(const LampNode& node) const {
+    const LightRecord& r = node.record;
+    const scene::Light& light = answer_.scene.lights[r.lamp];
+    json j = place_json(answer_.scene, {{"light", ask::name_of(answer_.scene, light)}}, light.origin);
+    j["distance"] = to_json(r.incidence.distance);
+    j["fade"] = to_json(r.incidence.fade);
+    j["cone"] = to_json(r.incidence.spot);
+    j["n_dot_l"] = to_json(r.cos_light);
+    j["highlight_cosine"] = to_json(r.cos_highlight);
+    j["filter"] = to_json(r.filter);
+    json in_the_way = json::array();
+    for (const InTheWay& w : node.in_the_way)
+      in_the_way.push_back({{"objects", objects_json(answer_.scene, w.path)},
+                            {"distance", w.distance},
+                            {"lets_by", to_json(w.transmittance)}});
+    j["in_the_way"] = std::move(in_the_way);
+    j["diffuse"] = to_json(r.diffuse);
+    j["highlight"] = to_json(r.highlight);
+    return j;
+  }
+
+  json mirror(const MirrorNode& node) const {
+    json j{{"weight", to_json(node.rho)},
+           {"angle", degrees(node.cosine)},
+           {"fresnel", node.reflectance},
+           {"eta", node.eta}};
+    if (node.ray) j["ray"] = ray(*node.ray);
+    return j;
+  }
+
+  json passage(const PassageNode& node) const {
+    json j{{"weight", to_json(node.tau)},
+           {"passage", passage_json(node.passage)},
+           {"angle", degrees(node.cosine)},
+           {"angle_behind", degrees(node.cosine_behind)}};
+    if (node.ray) j["ray"] = ray(*node.ray);
+    return j;
+  }
+
+  const Answer& answer_;
+  int depth_;
+};
+
+} // namespace
+
+json why_json(const Answer& answer, int depth) {
+  const Color seen = answer.tree->radiance;
+  json j{{"about", answer.ray.name},
+         {"scene", answer.file},
+         {"radiance", to_json(seen)},
+         {"shown", shown(seen)},
+         {"sum_of_terms", to_json(answer.sum.total)}};
+  if (answer.pixel)
+    j["pixel"] = {
+        {"samples", answer.scene.samples}, {"radiance", to_json(*answer.pixel)}, {"shown", shown(*answer.pixel)}};
+  j["because"] = verdict(answer);
+  j["tree"] = TreeJson(answer, depth).ray(*answer.tree);
+  return j;
+}
+
+} // namespace rt::tools::ask

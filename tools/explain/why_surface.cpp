@@ -1,0 +1,303 @@
+#include "tools/explain/why_surface.hpp"
+
+#include "renderer/compile/geometries.hpp"
+#include "renderer/shading/optics.hpp"
+#include "tools/explain/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rt::tools::ask {
+namespace {
+
+std::string text_of(const Quantity& q) {
+  const std::string value = std::holds_alternative<double>(q.value) ? number_text(std::get<double>(q.value))
+                                                                    : vector_text(std::get<Vec3>(q.value));
+  return fmt::format("{} = {}", q.label, value);
+}
+
+std::string agreement_text(const Derivation& d) {
+  if (d.disagreement == 0) return "the tracer has the same t";
+  const std::string part = fmt::format("the tracer's t differs by a part of {:.0e}", d.disagreement);
+  return d.disagreement < 1e-6 ? part : part + ": it avoids to subtract what is nearly equal, as these formulas do";
+}
+
+void write_derivation(const Derivation& d, Page& page, int indent) {
+  page.line(indent, fmt::format("{}: {}", d.shape, d.equation));
+  if (d.is_own_space)
+    page.line(indent + 2, fmt::format("in its own space, before it is placed, where t is the same: o = {}, d = {}",
+                                      vector_text(d.ray.origin), vector_text(d.ray.direction)));
+  for (const DerivationLine& line : d.lines) {
+    std::string text;
+    for (const Quantity& q : line.quantities) text += (text.empty() ? "" : ", ") + text_of(q);
+    const bool is_comparison =
+        line.words.starts_with('<') || line.words.starts_with('>') || line.words.starts_with("≤");
+    if (!line.words.empty()) text += (text.empty() ? "" : is_comparison ? " " : ": ") + line.words;
+    page.line(indent + 2, text);
+  }
+  page.line(indent + 2, (d.choice.empty() ? "" : d.choice + "; ") + agreement_text(d));
+}
+
+std::string_view name_of(scene::Combination::Operation operation) {
+  switch (operation) {
+  case scene::Combination::Operation::unite:
+    return "union";
+  case scene::Combination::Operation::intersect:
+    return "intersection";
+  case scene::Combination::Operation::subtract:
+    return "difference";
+  }
+  return "";
+}
+
+std::string text_of(const Stretches& stretches) {
+  if (stretches.empty()) return "nowhere";
+  constexpr std::size_t most = 6;
+  std::string text = "for t in ";
+  for (std::size_t i = 0; i < std::min(stretches.size(), most); ++i)
+    text += fmt::format("{}[{}, {}]", i == 0 ? "" : " and ", number_text(stretches[i].enter),
+                        number_text(stretches[i].leave));
+  if (stretches.size() > most) text += fmt::format(" and {} more", stretches.size() - most);
+  return text;
+}
+
+void write_combination(const Answer& answer, const SurfaceNode& s, const CombinationStretches& c, Page& page,
+                       int indent) {
+  constexpr std::size_t most = 12;
+  page.line(indent, fmt::format("{} of solids, each a list of stretches of the line", name_of(c.operation)));
+  std::size_t written = 0, missed = 0;
+  for (std::size_t i = 0; i < c.operands.size(); ++i) {
+    const OperandStretches& operand = c.operands[i];
+    const bool decides = i == 0 && c.operation == scene::Combination::Operation::subtract;
+    if ((operand.inside.empty() && !decides && c.operation != scene::Combination::Operation::intersect) ||
+        written >= most) {
+      ++missed;
+      continue;
+    }
+    ++written;
+    const bool is_taken_away = c.operation == scene::Combination::Operation::subtract && i > 0;
+    page.line(indent + 2, fmt::format("{}{}: inside {}", is_taken_away ? "less " : "",
+                                      answer.namer.object(*operand.object), text_of(operand.inside)));
+  }
+  if (missed > 0)
+    page.line(indent + 2, fmt::format("and {} more that {}", missed,
+                                      written >= most ? "are not listed" : "the line does not meet"));
+  page.line(indent + 2, fmt::format("together: inside {}", text_of(c.inside)));
+  const auto objects = objects_on(answer.scene, s.path);
+  const std::string operand = answer.namer.whole(std::span<const scene::Object* const>(objects).subspan(c.depth + 1));
+  std::string words = fmt::format("the first end ahead is t = {}, on the surface of {}", number_text(s.hit.t), operand);
+  if (s.hit.is_flipped) words += ", which is taken away: its normal is turned round";
+  page.line(indent + 2, words);
+}
+
+std::string_view side_text(const Answer& answer, const SurfaceNode& s) {
+  const bool is_front = dot(s.surface.geometric_normal, s.ray.direction) < 0;
+  const scene::ShapeRef shape = objects_on(answer.scene, s.path).back()->shape;
+  const bool has_inside = answer.scene.shapes.visit(shape, []<class S>(const S& described) {
+    if constexpr (is_composite<S>)
+      return true;
+    else
+      return is_solid(geometry(described));
+  });
+  if (has_inside) return is_front ? "from outside" : "from inside";
+  return is_front ? "on the side that its normal points to" : "on the side that its normal points away from";
+}
+
+std::string material_text(const SurfaceNode& s) {
+  const MaterialValues& m = s.material;
+  std::string text =
+      fmt::format("c = color = {}, a = 1 − refract = {}", color_text(m.color), number_text(1 - m.refract));
+  return text;
+}
+
+// "n·l = 0.8 (36.87°)"
+std::string cosine_text(std::string_view name, double cosine) {
+  return fmt::format("{} = {} ({})", name, number_text(cosine), angle_text(cosine));
+}
+
+std::string in_the_way_text(const Answer& answer, const LampNode& lamp) {
+  if (lamp.in_the_way.empty()) return "nothing is in the way";
+  const InTheWay& last = lamp.in_the_way.back();
+  if (last.transmittance == black)
+    return fmt::format("{} blocks it at distance {}", answer.namer.whole(last.path), number_text(last.distance));
+  return fmt::format("filter {} by {} surface{} on the way", color_text(lamp.record.filter), lamp.in_the_way.size(),
+                     lamp.in_the_way.size() == 1 ? "" : "s");
+}
+
+void write_filters(const Answer& answer, const LampNode& lamp, Page& page, int indent) {
+  constexpr std::size_t most = 8;
+  if (lamp.in_the_way.empty() || (lamp.in_the_way.size() == 1 && lamp.in_the_way[0].transmittance == black)) return;
+  for (std::size_t i = 0; i < std::min(lamp.in_the_way.size(), most); ++i) {
+    const InTheWay& w = lamp.in_the_way[i];
+    page.line(indent, fmt::format("{} at distance {} {}", answer.namer.whole(w.path), number_text(w.distance),
+                                  w.transmittance == black ? "blocks it" : "lets by " + color_text(w.transmittance)));
+  }
+  if (lamp.in_the_way.size() > most) page.line(indent, fmt::format("and {} more", lamp.in_the_way.size() - most));
+}
+
+std::string where_text(const Lamp& lamp, const Incidence& incidence) {
+  std::string text =
+      lamp.kind == Lamp::Kind::sun ? "infinitely far" : fmt::format("distance {}", number_text(incidence.distance));
+  if (lamp.fade.law != scene::Fade::Law::none && lamp.kind != Lamp::Kind::sun)
+    text += fmt::format(", fade {}", number_text(incidence.fade));
+  if (lamp.kind == Lamp::Kind::spot) text += fmt::format(", in the cone {}", number_text(incidence.spot));
+  return text;
+}
+
+void write_lamp(const Answer& answer, const SurfaceNode& s, const LampNode& node, Page& page, int indent) {
+  const LightRecord& r = node.record;
+  const Lamp& lamp = answer.traceable.lamps()[r.lamp];
+  const MaterialValues& m = s.material;
+  const std::string name = fmt::format("{}: {}", answer.namer.lamp(r.lamp), where_text(lamp, r.incidence));
+  if (lamp.kind != Lamp::Kind::sun && r.incidence.distance == 0)
+    return page.line(indent, name + ": it stands on this very point, which it does not light");
+  if (!(r.cos_light > 0))
+    return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));
+  const std::string facing = fmt::format("{}, {}", name, cosine_text("n·l", r.cos_light));
+  if (r.incidence.color == black)
+    return page.line(indent,
+                     fmt::format("{}: {}", facing, r.incidence.spot == 0 ? "outside its cone" : "it gives no light"));
+  page.line(indent,
+            fmt::format("{}; {}", facing,
+                        lamp.shadows ? in_the_way_text(answer, node) : "nothing can block it (shadows: false)"));
+  write_filters(answer, node, page, indent + 2);
+  if (r.filter == black) return;
+  const Color arriving = r.incidence.color * r.filter;
+  page.line(indent + 2,
+            fmt::format("C_L = color·intensity{}{}{} = {}",
+                        lamp.fade.law != scene::Fade::Law::none && lamp.kind != Lamp::Kind::sun ? "·fade" : "",
+                        lamp.kind == Lamp::Kind::spot ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
+                        color_text(arriving)));
+  page.line(indent + 2, fmt::format("diffuse = C_L·a·c·{}·(n·l) = {}", color_text(m.diffuse), color_text(r.diffuse)));
+  if (m.specular == 0) return;
+  if (!lamp.shadows) return page.line(indent + 2, "no highlight: a light without shadows gives none");
+  const bool is_blinn = m.highlight == scene::Highlight::blinn;
+  const std::string cosine = cosine_text(is_blinn ? "n·h" : "r·l", r.cos_highlight);
+  if (!(r.cos_highlight > 0)) return page.line(indent + 2, fmt::format("no highlight: {}", cosine));
+  page.line(indent + 2,
+            fmt::format("{}, highlight = C_L·{}·({})^{}{} = {}", cosine, number_text(m.specular),
+                        is_blinn ? "n·h" : "r·l", number_text(m.shininess),
+                        m.metallic != 0 ? "·M with M = " + color_text(r.tint) : "", color_text(r.highlight)));
+}
+
+void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const MaterialValues& m = s.material;
+  page.line(indent, fmt::format("shading with {}", material_text(s)));
+  page.line(indent + 2, fmt::format("ambient = a·c·{}·{} = {}", color_text(m.ambient),
+                                    color_text(answer.traceable.ambient()), color_text(s.ambient)));
+  if (m.emission != black)
+    page.line(indent + 2, fmt::format("emission = a·c·{} = {}", color_text(m.emission), color_text(s.emission)));
+  for (const LampNode& lamp : s.lamps) write_lamp(answer, s, lamp, page, indent + 2);
+  if (s.lamps.empty()) page.line(indent + 2, "there is no light");
+  page.line(indent + 2, fmt::format("together {}{}", color_text(s.shading()),
+                                    s.passed == white ? ""
+                                                      : fmt::format(", of which the surfaces before let by {}",
+                                                                    color_text(s.passed * s.shading()))));
+}
+
+} // namespace
+
+Derivation derivation_of(const Answer& answer, const SurfaceNode& s) {
+  const auto objects = objects_on(answer.scene, s.path);
+  const bool is_of_combination = std::any_of(objects.begin(), objects.end(), [](const scene::Object* o) {
+    return o->shape.kind == scene::kind_of<scene::Combination>;
+  });
+  return derive(answer.scene, s.path, s.ray, {s.hit.t, s.hit.shape_part, is_of_combination});
+}
+
+std::optional<CombinationStretches> stretches_of(const Answer& answer, const SurfaceNode& s) {
+  return stretches_along(answer.scene, s.path, s.ray);
+}
+
+void write_surface(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
+                                vector_text(s.surface.point), side_text(answer, s)));
+  if (const auto stretches = stretches_of(answer, s)) write_combination(answer, s, *stretches, page, indent + 2);
+  write_derivation(derivation_of(answer, s), page, indent + 2);
+  const bool is_smooth = !(s.surface.shading_normal == s.surface.geometric_normal);
+  page.line(indent + 2, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
+                                    is_smooth ? fmt::format(", from the corners' normals (the face's own is {})",
+                                                            vector_text(s.surface.geometric_normal))
+                                              : ""));
+  write_shading(answer, s, page, indent + 2);
+}
+
+void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const MirrorNode& mirror = *s.mirror;
+  const MaterialValues& m = s.material;
+  std::string formula = "reflect";
+  if (m.fresnel) formula += "·R_F";
+  if (m.metallic != 0) formula += "·M";
+  page.line(indent,
+            fmt::format("mirrored in {}: in and out at {} to the normal, weight ρ = {} = {}",
+                        answer.namer.title(s.path), angle_text(mirror.cosine), formula, color_text(mirror.rho)));
+  if (m.fresnel) {
+    const double c = mirror.cosine, g2 = mirror.eta * mirror.eta + c * c - 1;
+    page.line(indent + 2,
+              fmt::format("Fresnel: η = {} (other side by this side), c = cos θ = {}, g² = η² + c² − 1 = {}, R_F = {}",
+                          number_text(mirror.eta), number_text(c), number_text(g2), number_text(mirror.reflectance)));
+  }
+  if (m.metallic != 0)
+    page.line(indent + 2,
+              fmt::format("metallic {}: M = {}, reflect = {}", number_text(m.metallic),
+                          color_text(metallic_tint(m.metallic, mirror.cosine, m.color)), color_text(m.reflect)));
+  if (!mirror.ray) page.line(indent + 2, "nothing is mirrored at weight 0");
+}
+
+namespace {
+
+// Which solid is entered or left, and the indices.
+std::string passage_text(const Answer& answer, const SurfaceNode& s, const Passage& p) {
+  const std::string title = answer.namer.title(s.path);
+  switch (p.kind) {
+  case Passage::Kind::entering:
+    return fmt::format("enters {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
+  case Passage::Kind::leaving:
+    return fmt::format("leaves {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
+  case Passage::Kind::leaving_outer:
+    return fmt::format("leaves {} while still inside of what was entered later, ior {} stays", title,
+                       number_text(p.ior_from));
+  }
+  return "";
+}
+
+double sine(double cosine) {
+  return std::sqrt(std::max(0.0, 1 - cosine * cosine));
+}
+
+} // namespace
+
+void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const PassageNode& p = *s.passage;
+  const double eta = p.passage.eta();
+  const bool is_bent = std::abs(eta - 1) >= 1e-10;
+  page.line(indent, fmt::format("{}: weight τ = refract·c{} = {}", passage_text(answer, s, p.passage),
+                                s.material.fresnel ? "·min(1, 1 − ρ)" : "", color_text(p.tau)));
+  if (is_bent) {
+    page.line(indent + 2, fmt::format("Snell: sin θ₂ = (n₁/n₂)·sin θ₁ = {}·{} = {}: {} becomes {}", number_text(eta),
+                                      number_text(sine(p.cosine)), number_text(sine(p.cosine_behind)),
+                                      angle_text(p.cosine), angle_text(p.cosine_behind)));
+    if (!p.ray) page.line(indent + 2, "nothing comes through at weight 0");
+    return;
+  }
+  page.line(indent + 2, p.tau == black
+                            ? "nothing comes through at weight 0"
+                            : fmt::format("the ior stays: the same ray goes on straight, at {}, no deeper than before",
+                                          angle_text(p.cosine)));
+}
+
+void write_total_reflection(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const TotalReflectionNode& t = *s.total_reflection;
+  const double eta = t.passage.eta();
+  page.line(indent,
+            fmt::format("total internal reflection in {}, ior {} to {}: sin θ₂ would be {}·{} = {} > 1",
+                        answer.namer.title(s.path), number_text(t.passage.ior_from), number_text(t.passage.ior_to),
+                        number_text(eta), number_text(sine(t.cosine)), number_text(eta * sine(t.cosine))));
+  page.line(indent + 2,
+            fmt::format(
+                "{} is beyond the critical angle of {}; one mirrored ray of weight 1 takes the place of both branches",
+                angle_text(t.cosine), angle_text(sine(1 / eta))));
+}
+
+} // namespace rt::tools::ask

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "tools/povray/run/shots.hpp"
+
+#include <array>
+
+/// Our picture against POV-Ray's, pixel by pixel.
+namespace rt::tools::povray {
+
+/// What has to hold. Each is a line of the table, and is set by its name with `--gate NAME=VALUE`.
+struct Gates {
+  double ids = 0;            ///< at most so many unexplained pixels with another object
+  double depth = 1e-9;       ///< largest relative difference of distance
+  double depth_p999 = 1e-12; ///< the same, for 99.9 % of the pixels
+  double normals = 1e-6;     ///< largest angle between normals, radians
+  double color = 1e-5;       ///< a colour within this of POV-Ray's (of 1, or of itself where it is brighter) is equal
+  double color_share = 0.99; ///< at least this share of the pixels is equal, or all but one
+  double color_unexplained = 0; ///< at most so many of the others have no explanation
+};
+
+/// The gates' names and members, for reading and printing them.
+struct GateName {
+  const char* name;
+  double Gates::*value;
+  const char* meaning;
+};
+std::array<GateName, 7> gate_names();
+
+/// Why a pixel differs.
+enum class Cause : std::uint8_t {
+  edge,        ///< another object is hit
+  depth,       ///< the same object at another distance
+  normal,      ///< with another normal
+  shading,     ///< only the colour differs
+  tangency,    ///< explained: a ray 1e-9 beside this one meets the other object
+  coincidence, ///< explained: the other object's surface is as near, within 1e-6
+  tolerance,   ///< explained: traced again with POV-Ray's own limits the pixel agrees
+  rounding,    ///< explained: with rays turned by at most 1e-12 it agrees
+};
+const char* cause_name(Cause cause);
+constexpr bool is_explained(Cause cause) {
+  return cause >= Cause::tangency;
+}
+
+/// A pixel that is not equal.
+struct Outlier {
+  int x = 0, y = 0;
+  Cause cause = Cause::shading;
+  std::uint32_t our_id = 0, their_id = 0;
+  double depth_error = 0;  ///< relative
+  double normal_error = 0; ///< radians
+  double color_error = 0;  ///< as for `Gates::color`
+  Rgb32 ours, theirs;
+  bool is_traced_again = false;
+  Rgb32 again{}; ///< our colour with POV-Ray's limits, where that was needed
+};
+
+struct Comparison {
+  int width = 0, height = 0;
+  std::vector<float> color_error, depth_error, normal_error; ///< of each pixel
+  std::vector<Outlier> outliers; ///< worst first: unexplained, then by the colour's difference
+  std::size_t pixels = 0;
+  std::size_t id_mismatches = 0, ids_unexplained = 0;
+  std::size_t depths = 0; ///< pixels in which both hit the same object
+  double depth_max = 0, depth_p999 = 0;
+  std::size_t depths_beyond_p999 = 0; ///< pixels whose error is above `Gates::depth_p999`
+  double normal_max = 0;
+  bool has_normals = true;
+  std::size_t color_equal = 0;       ///< within `Gates::color`
+  std::size_t color_within_8bit = 0; ///< within 1/255
+  std::size_t color_unexplained = 0;
+  std::size_t color_unstable = 0; ///< explained by rounding alone
+  double color_max = 0;
+  int color_max_x = 0, color_max_y = 0;
+};
+
+/// `film` must have layers and the size of `shots`; both are of `scene`, which is traced again where they differ.
+Comparison compare(const scene::Scene& scene, const Film& film, const Shots& shots, const Gates& gates = {});
+
+/// One line of the result.
+struct Verdict {
+  std::string name, meaning;
+  double value = 0, gate = 0;
+  bool at_least = false; ///< the gate is a lower bound
+  bool is_measured = true;
+  bool holds() const { return !is_measured || (at_least ? value >= gate : value <= gate); }
+};
+std::vector<Verdict> judge(const Comparison& comparison, const Gates& gates);
+bool all_hold(const std::vector<Verdict>& verdicts);
+
+} // namespace rt::tools::povray

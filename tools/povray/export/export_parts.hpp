@@ -1,0 +1,63 @@
+#pragma once
+
+#include "tools/povray/export/export.hpp"
+#include "tools/povray/export/sdl.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The parts of the exporter, each for one kind of description.
+namespace rt::tools::povray {
+
+/// POV-Ray drops whatever is farther away along a ray.
+inline constexpr double farthest_hit = 1e7;
+
+/// A primitive of POV-Ray: `keyword { body … }`.
+struct Primitive {
+  std::string keyword;
+  std::string body;
+};
+/// Of a shape that is no composite.
+Primitive primitive(const scene::Shapes& shapes, scene::ShapeRef shape);
+
+/// A disc that has next to no inside: POV-Ray takes all that is below one for its inside.
+Primitive thin_primitive(const scene::Disc& disc);
+
+/// Whether the shape is a triangle with vertex normals, and whether there is one in it.
+bool is_smooth(const scene::Shapes& shapes, scene::ShapeRef shape);
+bool has_smooth(const scene::Scene& scene, const scene::Object& object);
+/// POV-Ray silently leaves out a triangle with vertex normals that are not all on the same side of it; it looks after
+/// each transform.
+bool is_dropped(const scene::Triangle& triangle);
+/// Where the triangles are written that POV-Ray would leave out however their own transforms are written.
+std::vector<scene::Origin> dropped_triangles(const scene::Scene& scene);
+/// The triangle with its own transforms applied, if POV-Ray would leave it out before or between them but not after.
+std::optional<scene::Triangle> moved_to_be_kept(const scene::Scene& scene, const scene::Object& object);
+Primitive primitive(const scene::Triangle& triangle);
+
+/// `head` is what stands before the brace: `texture` or `#declare name = texture`.
+void write_texture(Writer& out, const std::string& head, const scene::Scene& scene, const scene::Material& material,
+                   std::vector<std::string>& inexact);
+/// Whether surfaces of this material need to know the index of refraction.
+bool needs_interior(const scene::Material& material);
+std::string interior(const scene::Material& material);
+
+/// Whether POV-Ray takes the point, of the space that `placement` leads to, for inside the object.
+bool holds_in_povray(const scene::Scene& scene, const scene::Object& object, const Map& placement, const Vec3& point);
+/// The object's placement in its parent, whole.
+scene::Placement placement_of(const scene::Scene& scene, const scene::Object& object);
+
+void write_light(Writer& out, const scene::Light& light, const scene::Camera& camera);
+/// Where the view's rays start: the eye, or the middle and corners of an orthographic view.
+std::vector<Vec3> ray_origins(const scene::Camera& camera, scene::Resolution size);
+void write_camera(Writer& out, const scene::Camera& camera, scene::Resolution size);
+
+/// Declarations that `Pass::depth` needs, and the texture that shows the distance from the camera.
+void write_depth_functions(Writer& out, const scene::Camera& camera);
+inline constexpr const char* depth_texture = "texture { distance_texture }";
+std::string id_texture(std::uint32_t id);
+/// Six lights without shadow: what is lit by them is the normal.
+void write_normal_lights(Writer& out);
+
+} // namespace rt::tools::povray

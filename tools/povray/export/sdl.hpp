@@ -1,0 +1,46 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+#include "renderer/scene/transform.hpp"
+#include "tools/povray/export/map.hpp"
+
+#include <string>
+#include <string_view>
+
+/// Text in POV-Ray's scene description language.
+namespace rt::tools::povray {
+
+/// The shortest decimal that reads back as the same double: at most 17 digits.
+std::string number(double value);
+/// `<x, y, z>`
+std::string vector(const Vec3& v);
+/// `rgb <r, g, b>`, with `filter` other than 0 `rgbf <r, g, b, filter>`.
+std::string rgb(const Color& color, double filter = 0);
+
+/// One transform of POV-Ray's own, with a leading blank: ` scale <2, 1, 1>`; nothing for one that changes nothing.
+/// `rotate`, `scale` and `translate` are POV-Ray's arithmetic; the steps it has no word for become a `matrix`.
+std::string transform(const scene::Step& step);
+/// All steps of a placement in order, each with a leading blank.
+std::string transforms(const scene::Placement& placement);
+std::string matrix(const Map& map);
+
+/// What may stand in a comment to the end of a line: control characters become blanks.
+std::string comment_text(std::string_view text);
+
+/// Collects lines, indented by the blocks that are open.
+class Writer {
+public:
+  void line(std::string_view text);
+  /// Writes `head {` and indents what follows.
+  void open(std::string_view head);
+  /// Ends the innermost block; `tail` stands before its brace, on a line of its own.
+  void close(std::string_view tail = {});
+  void blank() { text_ += '\n'; }
+  std::string take() { return std::move(text_); }
+
+private:
+  std::string text_;
+  std::size_t depth_ = 0;
+};
+
+} // namespace rt::tools::povray

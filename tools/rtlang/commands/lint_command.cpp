@@ -1,0 +1,95 @@
+#include "lang/check/lint.hpp"
+#include "lang/text/suggest.hpp"
+#include "tools/explain/lint/lint.hpp"
+#include "tools/rtlang/commands.hpp"
+#include "tools/rtlang/scene_arguments.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+namespace rt::tools {
+namespace {
+
+struct Arguments {
+  std::shared_ptr<SceneArguments> scene;
+  std::shared_ptr<PictureArguments> picture;
+  ask::LintOptions options;
+  bool is_json = false;
+  bool is_strict = false;
+  bool lists_rules = false;
+};
+
+int list_rules() {
+  std::string text;
+  for (const lang::LintRule& rule : lang::lint_rules())
+    text += fmt::format("{}  {:<17} {}\n", rule.code, rule.name, lang::find_code(rule.code)->title);
+  print(text);
+  return exit_fine;
+}
+
+void require_rules(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (lang::find_lint_rule(word)) continue;
+    std::vector<std::string_view> names;
+    for (const lang::LintRule& rule : lang::lint_rules()) names.push_back(rule.name);
+    const auto guess = lang::nearest(word, names);
+    throw UsageError(fmt::format("the lint has no rule `{}`{}", word,
+                                 guess ? fmt::format(": did you mean {}?", *guess) : "; --rules lists them"));
+  }
+}
+
+std::string as_text(const std::vector<lang::Diagnostic>& warnings, const lang::SourceMap& sources, bool is_quiet) {
+  std::string text;
+  for (const lang::Diagnostic& d : warnings) text += lang::render(d, sources, output_takes_color()) + '\n';
+  if (is_quiet) return text;
+  if (warnings.empty()) return "no warnings\n";
+  const bool is_one = warnings.size() == 1;
+  return text + fmt::format("{} warning{}; `rtlang explain {}` tells more\n", warnings.size(), is_one ? "" : "s",
+                            warnings.front().code);
+}
+
+int run_lint(Arguments& arguments) {
+  if (arguments.lists_rules) return list_rules();
+  if (arguments.scene->path.empty()) throw UsageError("the scene's file is missing");
+  require_rules(arguments.options.allowed);
+  arguments.scene->options.lint = true;
+  lang::Loaded loaded = load_in_silence(*arguments.scene);
+  std::erase_if(loaded.diagnostics, [](const lang::Diagnostic& d) { return d.severity != lang::Severity::error; });
+  show(loaded.diagnostics, loaded.sources, *arguments.scene);
+  if (!loaded.scene) return exit_scene_is_wrong;
+  apply(*arguments.picture, *loaded.scene);
+  arguments.options.stop = &stop_flag();
+  const std::vector<lang::Diagnostic> warnings = ask::lint(loaded, arguments.options);
+  throw_if_stopped();
+  print(arguments.is_json ? lang::render_json(warnings, loaded.sources) + '\n'
+                          : as_text(warnings, loaded.sources, arguments.scene->is_quiet));
+  return arguments.is_strict && !warnings.empty() ? exit_scene_is_wrong : exit_fine;
+}
+
+} // namespace
+
+Action declare_lint(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  app.add_flag("--strict", arguments->is_strict, "the exit code is 1 if there is any warning");
+  app.add_flag("--json", arguments->is_json, "for machines");
+  app.add_option("--allow", arguments->options.allowed, "a rule that is not to warn; can be repeated")
+      ->type_name("RULE")
+      ->allow_extra_args(false);
+  app.add_flag("--rules", arguments->lists_rules, "lists the rules");
+  app.add_option("--depth-share", arguments->options.depth_share,
+                 "percent of the pixels that may lose light at max_depth (5)")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(0.0, 100.0));
+  arguments->picture = add_picture_arguments(app);
+  arguments->scene = add_scene_arguments(app);
+  app.get_option("SCENE")->required(false);
+  app.footer("A comment `// lint: allow RULE` keeps it silent about a line.");
+  return [arguments] { return run_lint(*arguments); };
+}
+
+} // namespace rt::tools

@@ -1,0 +1,207 @@
+#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/image/file.hpp"
+#include "renderer/image/image.hpp"
+#include "renderer/render/render.hpp"
+#include "tools/inspect/scene_hash.hpp"
+#include "tools/rtlang/commands.hpp"
+#include "tools/rtlang/help.hpp"
+#include "tools/rtlang/scene_arguments.hpp"
+#include "tools/rtlang/statistics.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+#include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/progress_bar.hpp"
+#include "tools/terminal/quantity.hpp"
+#include "tools/terminal/version.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace rt::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct RenderArguments {
+  std::shared_ptr<SceneArguments> scene;
+  std::shared_ptr<PictureArguments> picture;
+  std::vector<std::string> outputs;
+  std::string format; ///< for outputs whose name does not tell; empty: png
+  std::string crop;
+  int bits = 8;
+  int threads = 0;
+  bool keeps_partial = false;
+  std::string statistics; ///< "text", "json", or empty for the one line
+};
+
+struct Output {
+  std::string path;
+  ImageFormat format;
+};
+
+/// Where the picture goes and as what. Without -o: a png in the current folder, named like the scene.
+std::vector<Output> outputs(const RenderArguments& arguments) {
+  std::vector<std::string> paths = arguments.outputs;
+  if (paths.empty()) {
+    if (arguments.scene->path == "-") throw UsageError("a scene from standard input has no name: say -o FILE");
+    paths.push_back(std::filesystem::path(arguments.scene->path).stem().string() + ".png");
+  }
+  if (std::count(paths.begin(), paths.end(), "-") > 1) throw UsageError("standard output takes one picture only");
+  std::vector<Output> list;
+  for (const std::string& path : paths) {
+    std::optional<ImageFormat> format = format_of(path);
+    const std::filesystem::path file = path;
+    const bool needs_no_extension =
+        path == "-" || (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file));
+    if (!format && !arguments.format.empty()) format = format_by_name(arguments.format);
+    if (!format && needs_no_extension) format = ImageFormat::png;
+    if (!format)
+      throw UsageError(fmt::format("`{}` does not end in .png, .exr, .ppm or .pfm: say which with --format", path));
+    list.push_back({path, *format});
+  }
+  return list;
+}
+
+/// A picture that cannot be written should be known before it is made.
+void require_folders(const std::vector<Output>& list) {
+  for (const Output& output : list)
+    if (output.path != "-") require_writable(output.path);
+}
+
+PixelRect crop(const std::string& text, const scene::Resolution& size) {
+  const auto n = parse_numbers(text, ',', 4);
+  const PixelRect rect{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  if (rect.x0 < 0 || rect.y0 < 0 || rect.x1 <= rect.x0 || rect.y1 <= rect.y0 || rect.x1 > size[0] || rect.y1 > size[1])
+    throw UsageError(
+        fmt::format("--crop {} is no part of a picture of {}x{} (X1 and Y1 are not included)", text, size[0], size[1]));
+  return rect;
+}
+
+void write(const std::vector<Output>& list, const Film& film, int bits, const std::string& hash) {
+  for (const Output& output : list) {
+    const std::string software = fmt::format("rtlang {}", version_number());
+    const bool is_exr = output.format == ImageFormat::exr; // whose attributes have names in this style
+    EncodeOptions options{bits,
+                          {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}};
+    const std::string bytes = encode(film, output.format, options);
+    if (output.path == "-")
+      print(bytes);
+    else
+      replace_file(output.path, bytes);
+  }
+}
+
+void report(const RenderArguments& arguments, const RunStatistics& statistics) {
+  if (arguments.statistics == "json")
+    print(json(statistics));
+  else if (arguments.statistics == "text")
+    print_error(table(statistics));
+  else if (!arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
+    print_error(summary(statistics));
+}
+
+Rendered render_with_progress(const RenderArguments& arguments, const scene::Scene& scene, RenderOptions options) {
+  ProgressBar bar;
+  if (error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
+    options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  const Clock::time_point build_start = Clock::now();
+  const auto traceable = [&] {
+    const EndsAtOnce building;
+    return std::make_unique<const Traceable>(scene, options.threads);
+  }();
+  const double build_seconds = seconds_since(build_start);
+  Rendered rendered = rt::render(*traceable, {scene.camera, scene.size, scene.samples}, options);
+  rendered.statistics.primitives = scene::count_primitives(scene);
+  rendered.statistics.build_seconds = build_seconds;
+  return rendered;
+}
+
+int run_render(const RenderArguments& arguments) {
+  const Clock::time_point start = Clock::now();
+  const std::vector<Output> list = outputs(arguments);
+  if (arguments.statistics == "json" &&
+      std::any_of(list.begin(), list.end(), [](const Output& o) { return o.path == "-"; }))
+    throw UsageError("--stats json goes to standard output, where the picture is to go");
+  require_folders(list);
+
+  RunStatistics statistics;
+  lang::Loaded loaded = load(*arguments.scene);
+  if (!loaded.scene) return exit_scene_is_wrong;
+  loaded.sources = {}; // all is said about the text, and it may be large
+  scene::Scene& scene = *loaded.scene;
+  apply(*arguments.picture, scene);
+  statistics.load_seconds = seconds_since(start);
+
+  RenderOptions options;
+  options.threads = arguments.threads;
+  options.stop = &stop_flag();
+  options.layers = std::any_of(list.begin(), list.end(), [](const Output& o) { return o.format == ImageFormat::exr; });
+  if (!arguments.crop.empty()) options.crop = crop(arguments.crop, scene.size);
+  const Rendered rendered = render_with_progress(arguments, scene, options);
+  if (!rendered.is_complete && !arguments.keeps_partial) throw Interrupted{};
+
+  const Clock::time_point write_start = Clock::now();
+  statistics.scene_hash = scene_hash(scene);
+  write(list, rendered.film, arguments.bits, statistics.scene_hash);
+  statistics.write_seconds = seconds_since(write_start);
+
+  statistics.scene = arguments.scene->path;
+  for (const Output& output : list) statistics.outputs.push_back(output.path);
+  statistics.width = rendered.film.width;
+  statistics.height = rendered.film.height;
+  statistics.samples = scene.samples;
+  statistics.is_complete = rendered.is_complete;
+  statistics.load = loaded.statistics;
+  statistics.render = rendered.statistics;
+  statistics.total_seconds = seconds_since(start);
+  report(arguments, statistics);
+  if (!rendered.is_complete) throw Interrupted{};
+  return exit_fine;
+}
+
+} // namespace
+
+Action declare_render(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  app.add_option("-o,--output", arguments->outputs, ".png .exr .ppm .pfm, or - for standard output")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  arguments->picture = add_picture_arguments(app);
+  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")
+      ->type_name("X0,Y0,X1,Y1")
+      ->check([](const std::string& text) {
+        return parse_numbers(text, ',', 4) ? "" : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
+      });
+  app.add_option("--bits", arguments->bits, "of a sample in .png and .ppm: 8 or 16")
+      ->type_name("N")
+      ->check(one_of({"8", "16"}));
+  app.add_option("--threads", arguments->threads, "how many; one for each core where not given")
+      ->type_name("N")
+      ->check(whole_number(1, 1024));
+  arguments->scene = add_scene_arguments(app);
+  app.add_flag("--stats{text}", arguments->statistics, "prints what it took as a table, or as JSON")
+      ->type_name("[json]")
+      ->check(one_of({"text", "json"}));
+  app.add_option("--format", arguments->format, "for - and other names: png (default), exr, ppm, pfm")
+      ->type_name("NAME")
+      ->check(one_of({"png", "exr", "ppm", "pfm"}))
+      ->group(further_options);
+  app.add_flag("--keep-partial", arguments->keeps_partial, "writes what there is when Ctrl-C stops it")
+      ->group(further_options);
+  app.footer("Without -o the picture goes to the current folder, as SCENE.png.");
+  return [arguments] { return run_render(*arguments); };
+}
+
+} // namespace rt::tools

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "renderer/fields/field.hpp"
+#include "renderer/render/film.hpp"
+#include "tools/terminal/terminal.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct ChafaTermInfo;
+
+namespace rt::tools {
+
+/// How a terminal shows pictures.
+enum class Graphics : std::uint8_t { text, half_blocks, sixel, kitty, iterm2 };
+
+/// A picture's extent on the screen and in pixels.
+struct PictureExtent {
+  int columns = 0, rows = 0;
+  int width = 0, height = 0;
+};
+
+/// Turns films into what a terminal shows. Pictures are told by the environment (TERM, COLORTERM, TERM_PROGRAM, …)
+/// which form to take: kitty's or iTerm2's protocol or sixels where the terminal has them, coloured half blocks
+/// elsewhere, and characters alone where NO_COLOR is set or output is no terminal. RTLANG_GRAPHICS=sixel, kitty,
+/// iterm2, blocks or text overrules it.
+class PicturePrinter {
+public:
+  explicit PicturePrinter(bool is_terminal);
+  ~PicturePrinter();
+  PicturePrinter(const PicturePrinter&) = delete;
+  PicturePrinter& operator=(const PicturePrinter&) = delete;
+
+  Graphics graphics() const { return graphics_; }
+  /// Only the terminal itself knew (see `sixel_query`).
+  void use_sixels();
+  /// Whether to ask the terminal: the environment does not say, and an answer would be used.
+  bool wants_to_ask() const { return may_ask_; }
+
+  /// The largest extent for a picture of this shape that leaves `spare_rows` of the screen free.
+  PictureExtent fit(scene::Resolution size, const TerminalSize& terminal, int spare_rows) const;
+
+  /// The film, scaled to `extent`, as text that ends at the beginning of the row below it.
+  std::string print(const Film& film, const PictureExtent& extent) const;
+
+private:
+  struct Release {
+    void operator()(ChafaTermInfo* info) const;
+  };
+  std::unique_ptr<ChafaTermInfo, Release> terminal_;
+  Graphics graphics_ = Graphics::text;
+  int color_mode_ = 0; // a ChafaCanvasMode
+  bool may_ask_ = false;
+};
+
+/// Asks a terminal for its attributes; among those of its answer (ESC [ ? … c) 4 stands for sixels.
+inline constexpr std::string_view attributes_query = "\x1b[c";
+bool has_sixels(std::string_view attributes);
+
+} // namespace rt::tools

@@ -16,8 +16,8 @@ constexpr std::size_t least_for_tree = 4;
 // Objects of one list on the way through the groups that are taken apart.
 struct Frame {
   std::span<const scene::Object> objects;
-  Affine map;    // from their parent's space to the assembly's
-  StyleId style; // that they inherit
+  Affine map;        // from their parent's space to the assembly's
+  BindingId binding; // that they inherit
   bool casts_shadow;
   std::uint32_t source;
   std::size_t next = 0;
@@ -30,15 +30,15 @@ public:
   // Compiles the `objects`, which are the scene's or a part of them. `parts` (by position among them) are ready.
   Compiler(Compiled& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
            std::span<const Part> parts)
-      : compiled_(compiled), styles_(*compiled.styles_), scene_(scene), objects_(objects), parts_(parts),
-        usage_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, styles_),
+      : compiled_(compiled), bindings_(*compiled.bindings_), scene_(scene), objects_(objects), parts_(parts),
+        usage_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, bindings_),
         group_assemblies_(scene.shapes.all<scene::Group>().size()),
         shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
 
   void run() {
     for (const std::uint32_t group : usage_.instanced())
-      group_assemblies_[group] = compile(scene_.shapes.all<scene::Group>()[group].members, inherited_style);
-    compile(objects_, styles_.default_style(), true);
+      group_assemblies_[group] = compile(scene_.shapes.all<scene::Group>()[group].members, inherited_binding);
+    compile(objects_, bindings_.default_binding(), true);
   }
 
 private:
@@ -53,7 +53,7 @@ private:
     return stretches;
   }
 
-  const Assembly* compile(std::span<const scene::Object> objects, StyleId style, bool is_root = false) {
+  const Assembly* compile(std::span<const scene::Object> objects, BindingId binding, bool is_root = false) {
     compiled_.assemblies_.push_back(std::make_unique<Assembly>());
     Assembly& assembly = *compiled_.assemblies_.back();
     assembly_ = &assembly;
@@ -63,7 +63,7 @@ private:
     else
       reserve(objects);
     next_part_ = is_root ? 0 : parts_.size();
-    std::vector<Frame> frames{{objects, {}, style, true, 0}};
+    std::vector<Frame> frames{{objects, {}, binding, true, 0}};
     while (!frames.empty()) visit(frames);
     assembly.leaf_count_ = assembly.order(slot_count_);
     build();
@@ -82,15 +82,15 @@ private:
     const scene::Object& object = frame.objects[position];
     if (!object.is_visible) return;
     const Affine map = placed_in(frame.map, object);
-    const StyleId style = styles_.of(object, map, frame.style);
+    const BindingId binding = bindings_.of(object, map, frame.binding);
     const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
     if (object.shape.kind == scene::kind_of<scene::Group> && !usage_.is_instanced(object.shape.index)) {
       const auto source = static_cast<std::uint32_t>(assembly_->sources_.size());
       assembly_->sources_.push_back({frame.source, position});
-      frames.push_back({scene_.shapes.get<scene::Group>(object.shape).members, map, style, casts_shadow, source});
+      frames.push_back({scene_.shapes.get<scene::Group>(object.shape).members, map, binding, casts_shadow, source});
       return;
     }
-    add(object, map, LeafTag(new_slot(frame.source, position), style, casts_shadow));
+    add(object, map, LeafTag(new_slot(frame.source, position), binding, casts_shadow));
   }
 
   // Most objects of a large scene are only moved.
@@ -170,7 +170,7 @@ private:
     InstanceLeaves& leaves = sets_for(assembly.box()).all<InstanceLeaves>();
     assembly_->steps_.back().leaves = &leaves;
     assembly_->steps_.back().index = leaves.size();
-    leaves.add({&assembly, {}, {}, order, parts_[index].begin}, LeafTag(slot, styles_.default_style(), true));
+    leaves.add({&assembly, {}, {}, order, parts_[index].begin}, LeafTag(slot, bindings_.default_binding(), true));
   }
 
   void add_solid(const scene::Object& object, const scene::Combination& combination, const Affine& map, LeafTag tag) {
@@ -234,7 +234,7 @@ private:
   }
 
   Compiled& compiled_;
-  Styles& styles_;
+  MaterialBindings& bindings_;
   const scene::Scene& scene_;
   std::span<const scene::Object> objects_;
   std::span<const Part> parts_;
@@ -249,28 +249,28 @@ private:
 };
 
 Compiled::Compiled(const scene::Scene& scene, int threads)
-    : device_(std::make_shared<accel::Device>(threads)), styles_(std::make_shared<Styles>(scene)) {
+    : device_(std::make_shared<accel::Device>(threads)), bindings_(std::make_shared<MaterialBindings>(scene)) {
   Compiler(*this, scene, scene.objects, {}).run();
 }
 
 Compiled::Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache) {
   cache.begin(scene);
   device_ = cache.device_;
-  styles_ = cache.styles_;
+  bindings_ = cache.bindings_;
   for (const Part& part : parts) parts_.push_back(cache.take(scene, part));
-  cache.mark_ = styles_->mark();
+  cache.mark_ = bindings_->mark();
   cache.forget_unused();
   Compiler(*this, scene, scene.objects, parts).run();
 }
 
 void CompileCache::begin(const scene::Scene& scene) {
   ++uses_;
-  if (!styles_) {
-    styles_ = std::make_shared<Styles>(scene);
+  if (!bindings_) {
+    bindings_ = std::make_shared<MaterialBindings>(scene);
     return;
   }
-  styles_->release(mark_);
-  styles_->extend(scene);
+  bindings_->release(mark_);
+  bindings_->extend(scene);
 }
 
 std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, const Part& part) {
@@ -282,7 +282,7 @@ std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, co
     counts_.objects_reused += size;
     return entry.compiled;
   }
-  const std::shared_ptr<Compiled> made(new Compiled(device_, styles_));
+  const std::shared_ptr<Compiled> made(new Compiled(device_, bindings_));
   Compiler(*made, scene, std::span(scene.objects).subspan(part.begin, size), {}).run();
   ++counts_.parts_built;
   counts_.objects_built += size;

@@ -30,17 +30,17 @@ public:
   Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
   const Assembly& root() const { return *assemblies_.back(); }
-  const Styles& styles() const { return *styles_; }
+  const MaterialBindings& bindings() const { return *bindings_; }
 
 private:
   friend class Compiler;
   friend class CompileCache;
 
-  Compiled(std::shared_ptr<accel::Device> device, std::shared_ptr<Styles> styles)
-      : device_(std::move(device)), styles_(std::move(styles)) {}
+  Compiled(std::shared_ptr<accel::Device> device, std::shared_ptr<MaterialBindings> bindings)
+      : device_(std::move(device)), bindings_(std::move(bindings)) {}
 
   std::shared_ptr<accel::Device> device_; // those of a part are the whole's
-  std::shared_ptr<Styles> styles_;
+  std::shared_ptr<MaterialBindings> bindings_;
   std::vector<std::shared_ptr<const Compiled>> parts_;
   std::vector<std::unique_ptr<Solid>> solids_;
   std::vector<std::unique_ptr<Assembly>> assemblies_; // every one after those it has instances of
@@ -78,8 +78,8 @@ private:
   void forget_unused();
 
   std::shared_ptr<accel::Device> device_;
-  std::shared_ptr<Styles> styles_;
-  Styles::Mark mark_{}; // the styles of the parts, without those of the rest of the scene
+  std::shared_ptr<MaterialBindings> bindings_;
+  MaterialBindings::Mark mark_{}; // the styles of the parts, without those of the rest of the scene
   std::vector<Entry> entries_;
   std::uint64_t uses_ = 0;
   Counts counts_;

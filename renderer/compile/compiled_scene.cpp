@@ -26,36 +26,36 @@ struct Resolved {
 };
 
 // `style` is the leaf's or what it inherits.
-void settle_medium(Resolved& r, const Styles& styles, const RayHit& hit, StyleId style) {
-  if (r.ior || style == inherited_style) return;
-  r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, styles, style) : styles.ior(style);
+void settle_medium(Resolved& r, const MaterialBindings& bindings, const RayHit& hit, BindingId binding) {
+  if (r.ior || binding == inherited_binding) return;
+  r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, bindings, binding) : bindings.ior(binding);
 }
 
-Resolved resolve_leaf(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit) {
-  Resolved r{hit.kind->surface(hit.leaves, styles, ray, hit),
+Resolved resolve_leaf(const Assembly& assembly, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) {
+  Resolved r{hit.kind->surface(hit.leaves, bindings, ray, hit),
              hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot)};
-  settle_medium(r, styles, hit, r.leaf.leaf_style);
+  settle_medium(r, bindings, hit, r.leaf.leaf_style);
   if (r.leaf.smooth)
     r.smoothness = Smoothness{barycentric(r.leaf.smooth->flat, r.leaf.point.position), r.leaf.smooth->normals};
   return r;
 }
 
 // `first` is the order of the assembly's first leaf.
-Resolved resolve(const Assembly& assembly, const Styles& styles, const Ray& ray, const RayHit& hit,
+Resolved resolve(const Assembly& assembly, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit,
                  std::uint64_t first) {
-  if (&assembly == hit.assembly) return resolve_leaf(assembly, styles, ray, hit);
+  if (&assembly == hit.assembly) return resolve_leaf(assembly, bindings, ray, hit);
   std::uint32_t slot = 0;
   const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
   const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
-  if (instance.part_begin) return resolve(*instance.assembly, styles, ray, hit, first + step.order);
-  Resolved r = resolve(*instance.assembly, styles, instance.to_local.ray(ray), hit, first + step.order);
+  if (instance.part_begin) return resolve(*instance.assembly, bindings, ray, hit, first + step.order);
+  Resolved r = resolve(*instance.assembly, bindings, instance.to_local.ray(ray), hit, first + step.order);
   r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
-  const StyleId style = step.leaves->tag(step.index).style_id();
-  if (r.leaf.style == inherited_style && style != inherited_style) {
-    r.leaf.style = style;
-    r.leaf.pattern_point = styles.pattern_point(style, r.leaf.point.position);
+  const BindingId binding = step.leaves->tag(step.index).style_id();
+  if (r.leaf.binding == inherited_binding && binding != inherited_binding) {
+    r.leaf.binding = binding;
+    r.leaf.pattern_point = bindings.pattern_point(binding, r.leaf.point.position);
   }
-  settle_medium(r, styles, hit, style);
+  settle_medium(r, bindings, hit, binding);
   if (r.smoothness)
     for (Vec3& normal : r.smoothness->normals) normal = instance.to_outer.normal(normal);
   return r;
@@ -103,8 +103,8 @@ RayHit Traceable::nearest(const Ray& ray, const Interval& range, TraceScratch& s
 
 Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   scratch.filters.clear();
-  ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.styles(), {compiled_.styles().default_style(), &ray},
-                    scratch);
+  ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.bindings(),
+                    {compiled_.bindings().default_binding(), &ray}, scratch);
   return compiled_.root().blocks(query) ? black : through(scratch.filters);
 }
 
@@ -122,11 +122,11 @@ void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::s
 void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
   StaticVector<ShadowQuery, accel::packet_size> queries;
   std::array<accel::Query*, accel::packet_size> packet;
-  const StyleId style = compiled_.styles().default_style();
+  const BindingId binding = compiled_.bindings().default_binding();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     scratch[i].filters.clear();
     packet[i] = &queries.add([&] {
-      return ShadowQuery(rays[i].ray, rays[i].range, compiled_.root(), 0, compiled_.styles(), {style, &rays[i].ray},
+      return ShadowQuery(rays[i].ray, rays[i].range, compiled_.root(), 0, compiled_.bindings(), {binding, &rays[i].ray},
                          scratch[i]);
     });
   }
@@ -165,19 +165,19 @@ Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) 
 }
 
 Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
-  const Styles& styles = compiled_.styles();
-  const Resolved r = resolve(compiled_.root(), styles, ray, hit, 0);
+  const MaterialBindings& bindings = compiled_.bindings();
+  const Resolved r = resolve(compiled_.root(), bindings, ray, hit, 0);
   const Vec3& normal = r.leaf.point.normal;
   return {r.leaf.point.position, normal,           r.smoothness ? smooth_normal(*r.smoothness, normal) : normal,
-          r.leaf.point.error,    r.order,          styles.material(r.leaf.style),
+          r.leaf.point.error,    r.order,          bindings.material(r.leaf.binding),
           r.leaf.pattern_point,  r.ior.value_or(1)};
 }
 
 std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;
   std::vector<RayHit> hits;
-  const Styles& styles = compiled_.styles();
-  InspectQuery query(ray, range, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  const MaterialBindings& bindings = compiled_.bindings();
+  InspectQuery query(ray, range, compiled_.root(), 0, bindings, {bindings.default_binding(), &ray}, scratch);
   query.inspects = true;
   query.hits = &hits;
   compiled_.root().blocks(query);
@@ -191,10 +191,10 @@ std::vector<Interior> Traceable::around(const Vec3& p) const {
   std::vector<Interior> found;
   if (!uses_ior()) return found;
   TraceScratch scratch;
-  const Styles& styles = compiled_.styles();
+  const MaterialBindings& bindings = compiled_.bindings();
   // Any direction will do: the query is about the boxes that its origin is in.
   const Ray ray{p, {1, 0, 0}};
-  InspectQuery query(ray, {0, 0}, compiled_.root(), 0, styles, {styles.default_style(), &ray}, scratch);
+  InspectQuery query(ray, {0, 0}, compiled_.root(), 0, bindings, {bindings.default_binding(), &ray}, scratch);
   query.inspects = true;
   query.around = &found;
   compiled_.root().blocks(query);

@@ -61,7 +61,7 @@ public:
   /// What is to be known of a hit of `ray`.
   Surface surface(const Ray& ray, const RayHit& hit) const;
   const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
-    return compiled_.styles().values(surface.material, surface.pattern_point, scratch);
+    return compiled_.bindings().values(surface.material, surface.pattern_point, scratch);
   }
 
   /// All hits, from near to far; with equal distances in the order of declaration.
@@ -72,7 +72,7 @@ public:
   /// An open cylinder or cone counts by the volume that its ends would close.
   std::vector<Interior> around(const Vec3& p) const;
   /// Whether any material has an index of refraction that matters. Without one `around` is empty.
-  bool uses_ior() const { return compiled_.styles().uses_ior(); }
+  bool uses_ior() const { return compiled_.bindings().uses_ior(); }
 
   /// The positions that lead to what was hit: in the scene's objects, in that one's members, and so on; in the end, for
   /// a combination, to the operand whose surface it is.

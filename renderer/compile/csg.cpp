@@ -155,17 +155,17 @@ std::vector<std::uint32_t> Solid::path(std::uint32_t operand) const {
   return path;
 }
 
-double Solid::ior(const Styles& styles, StyleId inherited) const {
-  for (const StyleId candidate : media_) {
-    const StyleId style = candidate == inherited_style ? inherited : candidate;
-    if (styles.uses_ior(style)) return styles.ior(style);
+double Solid::ior(const MaterialBindings& bindings, BindingId inherited) const {
+  for (const BindingId candidate : media_) {
+    const BindingId binding = candidate == inherited_binding ? inherited : candidate;
+    if (bindings.uses_ior(binding)) return bindings.ior(binding);
   }
   return 1;
 }
 
-bool Solid::is_medium(const Styles& styles, StyleId inherited) const {
+bool Solid::is_medium(const MaterialBindings& bindings, BindingId inherited) const {
   return std::any_of(operands_.begin(), operands_.end(), [&](const Operand& operand) {
-    return !styles.is_opaque(operand.style == inherited_style ? inherited : operand.style);
+    return !bindings.is_opaque(operand.binding == inherited_binding ? inherited : operand.binding);
   });
 }
 

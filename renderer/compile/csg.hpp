@@ -27,7 +27,7 @@ public:
   /// A solid of the combination, with the surface that it brings along.
   struct Operand {
     SolidShape shape;
-    StyleId style = inherited_style; ///< asked about in the combination's space
+    BindingId binding = inherited_binding; ///< asked about in the combination's space
     bool casts_shadow = true;
     std::uint32_t source = 0; ///< where it was written: see `path`
   };
@@ -51,9 +51,9 @@ public:
 
   /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
   /// part that has one, or 1. A combination within this one counts by its own material first.
-  double ior(const Styles& styles, StyleId inherited) const;
+  double ior(const MaterialBindings& bindings, BindingId inherited) const;
   /// Whether any of its surfaces lets light in.
-  bool is_medium(const Styles& styles, StyleId inherited) const;
+  bool is_medium(const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
   friend class SolidBuilder;
@@ -102,15 +102,15 @@ private:
   std::vector<Operand> operands_;
   std::vector<Node> nodes_; // the first is the root
   std::vector<Source> sources_;
-  std::vector<StyleId> media_; // candidates for the medium's, the first one best
+  std::vector<BindingId> media_; // candidates for the medium's, the first one best
 };
 
 /// Makes the solid of a combination.
 class SolidBuilder {
 public:
   /// All must outlive the builder.
-  SolidBuilder(const scene::Scene& scene, const accel::Device& device, Styles& styles)
-      : scene_(scene), device_(device), styles_(styles) {}
+  SolidBuilder(const scene::Scene& scene, const accel::Device& device, MaterialBindings& bindings)
+      : scene_(scene), device_(device), bindings_(bindings) {}
 
   /// `map` leads from the combination's space to the one that the solid is to stand in.
   Solid build(const scene::Combination& combination, const Affine& map);
@@ -118,13 +118,13 @@ public:
 private:
   struct Frame;
   void visit(Solid& solid, std::vector<Frame>& frames);
-  void add_medium(Solid& solid, StyleId style) const;
+  void add_medium(Solid& solid, BindingId binding) const;
   void add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
   void add_index(Solid& solid, Solid::Node& node);
 
   const scene::Scene& scene_;
   const accel::Device& device_;
-  Styles& styles_;
+  MaterialBindings& bindings_;
 };
 
 } // namespace rt

@@ -24,7 +24,7 @@ struct SolidBuilder::Frame {
   std::uint32_t node;  // that they become children of
   bool is_subtraction; // what comes after the node's first child is taken away from it
   Affine map;          // from their parent's space to the solid's
-  StyleId style;       // that they inherit
+  BindingId binding;   // that they inherit
   bool casts_shadow;
   std::uint32_t source;
   std::size_t next = 0;
@@ -35,7 +35,7 @@ Solid SolidBuilder::build(const scene::Combination& combination, const Affine& m
   solid.sources_.push_back({0, 0});
   solid.nodes_.push_back({combination.operation, {}, nullptr});
   const bool subtracts = combination.operation == Solid::Operation::subtract;
-  std::vector<Frame> frames{{combination.operands, 0, subtracts, map, inherited_style, true, 0}};
+  std::vector<Frame> frames{{combination.operands, 0, subtracts, map, inherited_binding, true, 0}};
   while (!frames.empty()) visit(solid, frames);
   for (Solid::Node& node : solid.nodes_) add_index(solid, node);
   return solid;
@@ -66,8 +66,8 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
   inner.source = source;
   inner.map = frame.map * to_parent(scene_, object);
   inner.casts_shadow = frame.casts_shadow && object.casts_shadow;
-  inner.style = styles_.of(object, inner.map, frame.style);
-  if (object.material != scene::no_material) add_medium(solid, inner.style);
+  inner.binding = bindings_.of(object, inner.map, frame.binding);
+  if (object.material != scene::no_material) add_medium(solid, inner.binding);
   Solid::Operation operation = Solid::Operation::unite;
   if (is_group) {
     inner.objects = scene_.shapes.get<scene::Group>(object.shape).members;
@@ -88,20 +88,20 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
 }
 
 // Candidates after the first that is certain do not matter.
-void SolidBuilder::add_medium(Solid& solid, StyleId style) const {
+void SolidBuilder::add_medium(Solid& solid, BindingId binding) const {
   auto& media = solid.media_;
-  if (style != inherited_style && !styles_.uses_ior(style)) return;
-  if (media.empty() || (media.back() == inherited_style && style != inherited_style)) media.push_back(style);
+  if (binding != inherited_binding && !bindings_.uses_ior(binding)) return;
+  if (media.empty() || (media.back() == inherited_binding && binding != inherited_binding)) media.push_back(binding);
 }
 
 void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
   const Affine map = frame.map * to_parent(scene_, object);
-  const StyleId style = styles_.of(object, map, frame.style);
-  add_medium(solid, style);
+  const BindingId binding = bindings_.of(object, map, frame.binding);
+  add_medium(solid, binding);
   const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
   const auto add = [&](SolidShape shape) {
     solid.nodes_[frame.node].children.push_back({static_cast<std::uint32_t>(solid.operands_.size()), false});
-    solid.operands_.push_back({std::move(shape), style, casts_shadow, source});
+    solid.operands_.push_back({std::move(shape), binding, casts_shadow, source});
   };
   scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {
     if constexpr (!is_composite<S>) {

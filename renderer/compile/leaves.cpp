@@ -58,12 +58,12 @@ bool SolidLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
     if (!query.interval.contains(b.t)) continue;
     const Solid::Operand& operand = leaf.solid->operand(b.operand);
     if (!operand.casts_shadow) continue;
-    const bool inherits = operand.style == inherited_style;
-    const StyleId style = inherits ? query.resolved(tag.style_id()) : operand.style;
-    if (query.styles.is_opaque(style)) return true;
+    const bool inherits = operand.binding == inherited_binding;
+    const BindingId binding = inherits ? query.resolved(tag.style_id()) : operand.binding;
+    if (query.bindings.is_opaque(binding)) return true;
     query.add_filter(b.t, tag.slot, sequence++,
                      inherits ? query.transmittance(tag.style_id(), b.t)
-                              : query.styles.transmittance(style, ray.at(b.t)));
+                              : query.bindings.transmittance(binding, ray.at(b.t)));
   }
   return false;
 }
@@ -75,27 +75,27 @@ bool SolidLeaves::inspect(std::uint32_t i, InspectQuery& query) const {
     for (const Boundary& b : Boundaries(*leaf.solid, ray, query.scratch))
       if (query.interval.contains(b.t)) query.add_hit(b, i, leaf_kind<SolidLeaves>, this);
   }
-  const StyleId inherited = query.resolved(tags_[i].style_id());
-  if (query.around && leaf.solid->is_medium(query.styles, inherited) && leaf.solid->contains(ray.origin))
-    query.add_around(tags_[i].slot, ior(i, query.styles, inherited));
+  const BindingId inherited = query.resolved(tags_[i].style_id());
+  if (query.around && leaf.solid->is_medium(query.bindings, inherited) && leaf.solid->contains(ray.origin))
+    query.add_around(tags_[i].slot, ior(i, query.bindings, inherited));
   return false;
 }
 
-double SolidLeaves::ior(std::uint32_t i, const Styles& styles, StyleId inherited) const {
-  if (leaves_[i].owns_style && styles.uses_ior(inherited)) return styles.ior(inherited);
-  return leaves_[i].solid->ior(styles, inherited);
+double SolidLeaves::ior(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const {
+  if (leaves_[i].owns_style && bindings.uses_ior(inherited)) return bindings.ior(inherited);
+  return leaves_[i].solid->ior(bindings, inherited);
 }
 
-LeafSurface SolidLeaves::surface(const Styles& styles, const Ray& outer, const RayHit& hit) const {
+LeafSurface SolidLeaves::surface(const MaterialBindings& bindings, const Ray& outer, const RayHit& hit) const {
   const Leaf& leaf = leaves_[hit.index];
   const Ray ray = leaf.is_in_place ? outer : carried(leaf, outer);
-  const StyleId own = tags_[hit.index].style_id();
-  LeafSurface s{leaf.solid->point(ray, hit), leaf.solid->operand(hit.operand).style, own};
-  if (s.style != inherited_style) s.pattern_point = styles.pattern_point(s.style, s.point.position);
+  const BindingId own = tags_[hit.index].style_id();
+  LeafSurface s{leaf.solid->point(ray, hit), leaf.solid->operand(hit.operand).binding, own};
+  if (s.binding != inherited_binding) s.pattern_point = bindings.pattern_point(s.binding, s.point.position);
   if (!leaf.is_in_place) s.point = mapped(s.point, leaf.to_outer, leaf.to_local);
-  if (s.style == inherited_style && own != inherited_style) {
-    s.style = own;
-    s.pattern_point = styles.pattern_point(own, s.point.position);
+  if (s.binding == inherited_binding && own != inherited_binding) {
+    s.binding = own;
+    s.pattern_point = bindings.pattern_point(own, s.point.position);
   }
   s.solids = this;
   return s;
@@ -120,21 +120,21 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
   const Leaf& leaf = leaves_[i];
   const Ray ray = leaf.part_begin ? query.ray : carried(leaf, query.ray);
   const std::uint64_t base = query.base + leaf.order;
-  const InheritedStyle inherited =
-      tag.style_id() == inherited_style ? query.inherited : InheritedStyle{tag.style_id(), &query.ray};
+  const InheritedBinding inherited =
+      tag.style_id() == inherited_binding ? query.inherited : InheritedBinding{tag.style_id(), &query.ray};
   if (query.inspects) {
     const auto& outer = static_cast<const InspectQuery&>(query);
-    InspectQuery inner(ray, query.interval, *leaf.assembly, base, query.styles, inherited, query.scratch);
+    InspectQuery inner(ray, query.interval, *leaf.assembly, base, query.bindings, inherited, query.scratch);
     inner.inspects = true;
     inner.hits = outer.hits;
     inner.around = outer.around;
     return leaf.assembly->blocks(inner);
   }
-  ShadowQuery inner(ray, query.interval, *leaf.assembly, base, query.styles, inherited, query.scratch);
+  ShadowQuery inner(ray, query.interval, *leaf.assembly, base, query.bindings, inherited, query.scratch);
   return leaf.assembly->blocks(inner);
 }
 
-LeafSurface InstanceLeaves::surface(const Styles&, const Ray&, const RayHit&) const {
+LeafSurface InstanceLeaves::surface(const MaterialBindings&, const Ray&, const RayHit&) const {
   assert(false && "a hit is on a leaf of the instance's assembly");
   return {};
 }

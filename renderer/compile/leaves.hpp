@@ -13,12 +13,12 @@ namespace rt {
 /// What every leaf carries beside its geometry.
 struct LeafTag {
   std::uint32_t slot; ///< its place in its assembly, in the order of declaration
-  std::uint32_t style : 31;
+  std::uint32_t binding : 31;
   std::uint32_t casts_shadow : 1;
 
-  LeafTag(std::uint32_t place, StyleId s, bool shadow)
-      : slot(place), style(static_cast<std::uint32_t>(s) & 0x7fffffff), casts_shadow(shadow) {}
-  StyleId style_id() const { return StyleId{style}; }
+  LeafTag(std::uint32_t place, BindingId s, bool shadow)
+      : slot(place), binding(static_cast<std::uint32_t>(s) & 0x7fffffff), casts_shadow(shadow) {}
+  BindingId style_id() const { return BindingId{binding}; }
 };
 
 class SolidLeaves;
@@ -27,8 +27,8 @@ class SolidLeaves;
 /// every one of its parts to be written.
 struct LeafSurface {
   SurfacePoint point;
-  StyleId style = inherited_style;                ///< of the surface
-  StyleId leaf_style = inherited_style;           ///< of the leaf as a whole: where it decides about the medium
+  BindingId binding = inherited_binding;          ///< of the surface
+  BindingId leaf_style = inherited_binding;       ///< of the leaf as a whole: where it decides about the medium
   Vec3 pattern_point{};                           ///< unless the style is inherited
   const SolidLeaves* solids = nullptr;            ///< those of a combination, whose medium may be another's
   const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
@@ -38,7 +38,7 @@ struct LeafSurface {
 /// several shapes; then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
 struct LeafKind {
   LeafTag (*tag)(const void* leaves, std::uint32_t index);
-  LeafSurface (*surface)(const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit);
+  LeafSurface (*surface)(const void* leaves, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit);
   void (*nearest)(const void* leaves, std::uint32_t index, NearestQuery& query);
   bool (*blocks)(const void* leaves, std::uint32_t index, ShadowQuery& query);
 };
@@ -46,8 +46,8 @@ struct LeafKind {
 template <class Leaves>
 inline constexpr LeafKind leaf_kind{
     [](const void* leaves, std::uint32_t index) { return static_cast<const Leaves*>(leaves)->tag(index); },
-    [](const void* leaves, const Styles& styles, const Ray& ray, const RayHit& hit) {
-      return static_cast<const Leaves*>(leaves)->surface(styles, ray, hit);
+    [](const void* leaves, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) {
+      return static_cast<const Leaves*>(leaves)->surface(bindings, ray, hit);
     },
     [](const void* leaves, std::uint32_t index, NearestQuery& query) {
       static_cast<const Leaves*>(leaves)->nearest(index, query);
@@ -80,7 +80,7 @@ public:
     if (!tag.casts_shadow) return false;
     const Placed& p = shapes_[i];
     Hit hit;
-    if (query.styles.is_opaque(query.resolved(tag.style_id())))
+    if (query.bindings.is_opaque(query.resolved(tag.style_id())))
       return intersect(p.shape, p.carried(query.ray), query.interval, hit);
     std::uint32_t sequence = 0;
     for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
@@ -88,11 +88,11 @@ public:
     return false;
   }
 
-  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const {
+  LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const {
     const Placed& p = shapes_[hit.index];
-    const StyleId style = tags_[hit.index].style_id();
-    LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), style, style};
-    if (style != inherited_style) s.pattern_point = styles.pattern_point(style, s.point.position);
+    const BindingId binding = tags_[hit.index].style_id();
+    LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), binding, binding};
+    if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
     if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
     return s;
   }
@@ -123,11 +123,11 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const Styles& styles, const Ray& ray, const RayHit& hit) const;
+  LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const;
 
   /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
   /// one. `inherited` is the style that its parts inherit: its own if it has one.
-  double ior(std::uint32_t i, const Styles& styles, StyleId inherited) const;
+  double ior(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
   bool inspect(std::uint32_t i, InspectQuery& query) const;
@@ -156,7 +156,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const Styles&, const Ray&, const RayHit&) const; // never the leaf that is hit
+  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never the leaf that is hit
 
 private:
   std::vector<Leaf> leaves_;
@@ -172,9 +172,9 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
       query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
   }
   if constexpr (Solidlike<typename Placed::G>) {
-    const StyleId style = query.resolved(tags_[i].style_id());
-    if (query.around && !query.styles.is_opaque(style) && contains(p.shape, p.carried(query.ray.origin)))
-      query.add_around(tags_[i].slot, query.styles.ior(style));
+    const BindingId binding = query.resolved(tags_[i].style_id());
+    if (query.around && !query.bindings.is_opaque(binding) && contains(p.shape, p.carried(query.ray.origin)))
+      query.add_around(tags_[i].slot, query.bindings.ior(binding));
   }
   return false;
 }

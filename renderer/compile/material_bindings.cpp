@@ -4,40 +4,40 @@
 
 namespace rt {
 
-Styles::Styles(const scene::Scene& scene) : materials_(scene) {
-  styles_.push_back({materials_.default_material(), nowhere, true, false});
+MaterialBindings::MaterialBindings(const scene::Scene& scene) : materials_(scene) {
+  bindings_.push_back({materials_.default_material(), nowhere, true, false});
   extend(scene);
 }
 
-void Styles::extend(const scene::Scene& scene) {
+void MaterialBindings::extend(const scene::Scene& scene) {
   materials_.extend(scene);
   for (std::size_t i = placeless_.size(); i < scene.materials.size(); ++i) {
     const std::uint32_t material = Materials::index(scene::MaterialId{static_cast<std::uint32_t>(i)});
     const MaterialValues& values = materials_.constant(material);
     const bool is_opaque = values.refract == 0, uses_ior = !is_opaque || values.fresnel;
-    placeless_.push_back(StyleId{static_cast<std::uint32_t>(styles_.size())});
-    styles_.push_back({material, nowhere, is_opaque, uses_ior});
+    placeless_.push_back(BindingId{static_cast<std::uint32_t>(bindings_.size())});
+    bindings_.push_back({material, nowhere, is_opaque, uses_ior});
     uses_ior_ = uses_ior_ || uses_ior;
   }
 }
 
-void Styles::release(const Mark& mark) {
-  styles_.erase(styles_.begin() + static_cast<std::ptrdiff_t>(mark.styles), styles_.end());
+void MaterialBindings::release(const Mark& mark) {
+  bindings_.erase(bindings_.begin() + static_cast<std::ptrdiff_t>(mark.bindings), bindings_.end());
   places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(mark.places), places_.end());
 }
 
 // The patterns of a material live in the space of the object that writes it, before its own transform.
-StyleId Styles::of(const scene::Object& object, const Affine& to_outer, StyleId inherited) {
+BindingId MaterialBindings::of(const scene::Object& object, const Affine& to_outer, BindingId inherited) {
   if (object.material == scene::no_material) return inherited;
-  const StyleId placeless = placeless_[static_cast<std::size_t>(object.material)];
+  const BindingId placeless = placeless_[static_cast<std::size_t>(object.material)];
   const std::uint32_t material = at(placeless).material;
   if (!materials_.has_patterns(material)) return placeless;
   const std::optional<Affine> to_object = inverse(to_outer);
   assert(to_object && "a transform must not flatten its object");
-  styles_.push_back(
+  bindings_.push_back(
       {material, static_cast<std::uint32_t>(places_.size()), at(placeless).is_opaque, at(placeless).uses_ior});
   places_.push_back(to_object.value_or(Affine{}));
-  return StyleId{static_cast<std::uint32_t>(styles_.size() - 1)};
+  return BindingId{static_cast<std::uint32_t>(bindings_.size() - 1)};
 }
 
 } // namespace rt

@@ -7,44 +7,44 @@
 
 namespace rt {
 
-/// A material as one object writes it: with the place of its patterns. Index in `Styles`.
-enum class StyleId : std::uint32_t {};
+/// A material as one object writes it: with the place of its patterns. Index in `MaterialBindings`.
+enum class BindingId : std::uint32_t {};
 
 /// The style of the composite that the object stands in.
-inline constexpr StyleId inherited_style{0x7fffffff};
+inline constexpr BindingId inherited_binding{0x7fffffff};
 
 /// All styles of a compiled scene, over its materials.
-class Styles {
+class MaterialBindings {
 public:
-  explicit Styles(const scene::Scene& scene);
+  explicit MaterialBindings(const scene::Scene& scene);
 
   /// Adds the materials that the scene has got since. What was given out stays as it is.
   void extend(const scene::Scene& scene);
 
   /// How many places of patterns there are; `release` forgets those that came later, with their styles.
   struct Mark {
-    std::size_t styles, places;
+    std::size_t bindings, places;
   };
-  Mark mark() const { return {styles_.size(), places_.size()}; }
+  Mark mark() const { return {bindings_.size(), places_.size()}; }
   void release(const Mark& mark);
 
-  static StyleId default_style() { return StyleId{0}; }
+  static BindingId default_binding() { return BindingId{0}; }
 
   /// The style of an object that stands by `to_outer` in the space that the style is asked about in, and would inherit
   /// `inherited` if it wrote no material.
-  StyleId of(const scene::Object& object, const Affine& to_outer, StyleId inherited);
+  BindingId of(const scene::Object& object, const Affine& to_outer, BindingId inherited);
 
-  bool is_opaque(StyleId style) const { return at(style).is_opaque; }
+  bool is_opaque(BindingId binding) const { return at(binding).is_opaque; }
   /// Whether the index of refraction of the style's material matters at all, and whether any style's does.
-  bool uses_ior(StyleId style) const { return at(style).uses_ior; }
+  bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }
   bool uses_ior() const { return uses_ior_; }
-  std::uint32_t material(StyleId style) const { return at(style).material; }
+  std::uint32_t material(BindingId binding) const { return at(binding).material; }
   /// 1 where it does not matter.
-  double ior(StyleId style) const { return uses_ior(style) ? materials_.constant(at(style).material).ior : 1; }
+  double ior(BindingId binding) const { return uses_ior(binding) ? materials_.constant(at(binding).material).ior : 1; }
 
   /// Where the patterns see the point `p` of the space that the style is asked about in.
-  Vec3 pattern_point(StyleId style, const Vec3& p) const {
-    const Style& s = at(style);
+  Vec3 pattern_point(BindingId binding, const Vec3& p) const {
+    const MaterialBinding& s = at(binding);
     return s.place == nowhere ? p : places_[s.place].point(p);
   }
   /// The values at a point of that kind. `scratch` holds them where they are not constant.
@@ -53,25 +53,25 @@ public:
     return scratch = materials_.at(material, pattern_point);
   }
   /// What a surface lets by of the light that crosses it.
-  Color transmittance(StyleId style, const Vec3& p) const {
+  Color transmittance(BindingId binding, const Vec3& p) const {
     MaterialValues scratch;
-    const MaterialValues& v = values(at(style).material, pattern_point(style, p), scratch);
+    const MaterialValues& v = values(at(binding).material, pattern_point(binding, p), scratch);
     return v.color * v.refract;
   }
 
 private:
   static constexpr std::uint32_t nowhere = 0xffffffff;
-  struct Style {
+  struct MaterialBinding {
     std::uint32_t material;
     std::uint32_t place;
     bool is_opaque;
     bool uses_ior;
   };
-  const Style& at(StyleId id) const { return styles_[static_cast<std::size_t>(id)]; }
+  const MaterialBinding& at(BindingId id) const { return bindings_[static_cast<std::size_t>(id)]; }
 
   Materials materials_;
-  std::vector<Style> styles_;      // first that of the default material
-  std::vector<StyleId> placeless_; // by material as the scene numbers them
+  std::vector<MaterialBinding> bindings_; // first that of the default material
+  std::vector<BindingId> placeless_;      // by material as the scene numbers them
   std::vector<Affine> places_;
   bool uses_ior_ = false;
 };

@@ -68,29 +68,29 @@ struct NearestQuery : accel::Query {
 };
 
 /// The material that leaves without one of their own have, and the ray in the space where it was written.
-struct InheritedStyle {
-  StyleId style;
+struct InheritedBinding {
+  BindingId binding;
   const Ray* ray;
 };
 
 /// Looks for what is in the way of light: opaque leaves end it, transparent ones leave a filter.
 struct ShadowQuery : accel::Query {
-  ShadowQuery(const Ray& r, const Interval& i, const Assembly& a, std::uint64_t b, const Styles& all,
-              const InheritedStyle& from_outside, TraceScratch& s)
-      : Query(r, i), assembly(a), base(b), styles(all), inherited(from_outside), scratch(s) {}
+  ShadowQuery(const Ray& r, const Interval& i, const Assembly& a, std::uint64_t b, const MaterialBindings& all,
+              const InheritedBinding& from_outside, TraceScratch& s)
+      : Query(r, i), assembly(a), base(b), bindings(all), inherited(from_outside), scratch(s) {}
 
-  StyleId resolved(StyleId style) const { return style == inherited_style ? inherited.style : style; }
+  BindingId resolved(BindingId binding) const { return binding == inherited_binding ? inherited.binding : binding; }
   /// Of a leaf's surface at the ray's t.
-  Color transmittance(StyleId style, double t) const {
-    return style == inherited_style ? styles.transmittance(inherited.style, inherited.ray->at(t))
-                                    : styles.transmittance(style, ray.at(t));
+  Color transmittance(BindingId binding, double t) const {
+    return binding == inherited_binding ? bindings.transmittance(inherited.binding, inherited.ray->at(t))
+                                        : bindings.transmittance(binding, ray.at(t));
   }
   void add_filter(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance);
 
   const Assembly& assembly;
   std::uint64_t base;
-  const Styles& styles;
-  InheritedStyle inherited;
+  const MaterialBindings& bindings;
+  InheritedBinding inherited;
   TraceScratch& scratch;
   bool inspects = false; ///< it is an InspectQuery
 };

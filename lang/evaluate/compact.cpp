@@ -40,7 +40,7 @@ class Sweep {
 public:
   explicit Sweep(scene::Scene& scene)
       : scene_(scene), materials_(scene.materials.size()), patterns_(scene.patterns.size()),
-        turns_(scene.turns.size()) {
+        transforms_(scene.transforms.size()) {
     scene::ShapeKinds::for_each([&]<class S>() { shapes_.emplace_back(scene.shapes.all<S>().size()); });
   }
 
@@ -55,7 +55,7 @@ public:
     scene::ShapeKinds::for_each([&]<class S>() { shapes_[kind++].compact(scene_.shapes.all<S>()); });
     materials_.compact(scene_.materials);
     patterns_.compact(scene_.patterns);
-    turns_.compact(scene_.turns);
+    transforms_.compact(scene_.transforms);
     renumber(scene_.objects);
     for (scene::Group& group : scene_.shapes.all<scene::Group>()) renumber(group.members);
     for (scene::Combination& combination : scene_.shapes.all<scene::Combination>()) renumber(combination.operands);
@@ -68,7 +68,7 @@ public:
 
 private:
   void mark(const scene::Object& object) {
-    if (object.turn != scene::no_turn) turns_.mark(static_cast<std::size_t>(object.turn));
+    if (object.transform != scene::no_transform) transforms_.mark(static_cast<std::size_t>(object.transform));
     if (object.material != scene::no_material) mark(object.material);
     if (!shapes_[object.shape.kind].mark(object.shape.index)) return;
     if (object.shape.kind == kind_of<scene::Group>)
@@ -93,7 +93,8 @@ private:
   void renumber(std::vector<scene::Object>& objects) const {
     for (scene::Object& object : objects) {
       object.shape.index = shapes_[object.shape.kind][object.shape.index];
-      if (object.turn != scene::no_turn) object.turn = scene::TurnId{turns_[static_cast<std::size_t>(object.turn)]};
+      if (object.transform != scene::no_transform)
+        object.transform = scene::TransformId{transforms_[static_cast<std::size_t>(object.transform)]};
       if (object.material != scene::no_material)
         object.material = scene::MaterialId{materials_[static_cast<std::size_t>(object.material)]};
     }
@@ -105,7 +106,7 @@ private:
 
   scene::Scene& scene_;
   std::vector<Survey> shapes_; // by kind
-  Survey materials_, patterns_, turns_;
+  Survey materials_, patterns_, transforms_;
   std::vector<const std::vector<scene::Object>*> pending_;
 };
 

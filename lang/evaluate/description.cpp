@@ -217,21 +217,21 @@ scene::NameId Builder::name(std::string_view text) {
   return found->second;
 }
 
-std::optional<scene::TurnId> Builder::turn(const Dress& dress, const Chain* chain) {
+std::optional<scene::TransformId> Builder::transform(const Dress& dress, const Chain* chain) {
   const bool has_chain = chain && !chain->steps.empty();
-  if (!has_chain && dress.rotate == Vec3{} && dress.scale == Vec3{1, 1, 1}) return scene::no_turn;
+  if (!has_chain && dress.rotate == Vec3{} && dress.scale == Vec3{1, 1, 1}) return scene::no_transform;
   scene::Placement placement{dress.scale, dress.rotate, {}, has_chain ? chain->steps : std::vector<scene::Step>{}};
   Hasher h;
   h.add(placement.scale).add(placement.rotate);
   for (const scene::Step& step : placement.chain) add_to(h, step);
-  for (auto [i, end] = turns_.equal_range(h.value()); i != end; ++i) {
-    if (equal(scene_.turns[static_cast<std::size_t>(i->second)], placement)) return i->second;
+  for (auto [i, end] = transforms_.equal_range(h.value()); i != end; ++i) {
+    if (equal(scene_.transforms[static_cast<std::size_t>(i->second)], placement)) return i->second;
   }
   const double determinant = scene::matrix(placement).determinant();
   if (determinant == 0 || !std::isfinite(determinant)) return std::nullopt;
-  const auto id = static_cast<scene::TurnId>(scene_.turns.size());
-  scene_.turns.push_back(std::move(placement));
-  turns_.emplace(h.value(), id);
+  const auto id = static_cast<scene::TransformId>(scene_.transforms.size());
+  scene_.transforms.push_back(std::move(placement));
+  transforms_.emplace(h.value(), id);
   return id;
 }
 

@@ -37,7 +37,7 @@ public:
   scene::PatternId pattern(const Thing& pattern);
   scene::NameId name(std::string_view text);
   /// Nothing where the placement flattens: its determinant is 0 or not finite.
-  std::optional<scene::TurnId> turn(const Dress& dress, const Chain* chain);
+  std::optional<scene::TransformId> transform(const Dress& dress, const Chain* chain);
   scene::Origin origin(Span span);
   scene::Scene& scene() { return scene_; }
 
@@ -58,7 +58,7 @@ private:
     std::size_t operator()(const Color& color) const { return Hasher().add(color).value(); }
   };
   std::unordered_map<Color, scene::MaterialId, ColorHash> plain_; // materials that are a colour and nothing else
-  std::unordered_multimap<std::uint64_t, scene::TurnId> turns_;
+  std::unordered_multimap<std::uint64_t, scene::TransformId> transforms_;
   std::unordered_map<std::string, scene::NameId> names_;
   std::unordered_map<std::uint32_t, scene::ShapeRef> united_;           // by index of the group
   std::unordered_map<std::uint64_t, std::string_view> open_composites_; // by kind and index

@@ -39,7 +39,8 @@ std::uint64_t Evaluator::bytes_in_use() const {
   std::uint64_t shapes = 0;
   scene::ShapeKinds::for_each([&]<class S>() { shapes += scene_.shapes.all<S>().capacity() * sizeof(S); });
   return heap_.bytes() + shapes + objects_ * sizeof(scene::Object) +
-         scene_.materials.capacity() * sizeof(scene::Material) + scene_.turns.capacity() * sizeof(scene::Placement);
+         scene_.materials.capacity() * sizeof(scene::Material) +
+         scene_.transforms.capacity() * sizeof(scene::Placement);
 }
 
 void Evaluator::reserve(std::uint64_t bytes, Span place) {

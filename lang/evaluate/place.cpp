@@ -144,7 +144,7 @@ void Evaluator::put_shape(const Described& described, Target& target) {
     if (target.things == 1) target.is_first_missing = true;
   }
   if (!clothes->is_visible) return;
-  const auto turn = builder_.turn(*clothes, described.chain);
+  const auto turn = builder_.transform(*clothes, described.chain);
   if (!turn) {
     fail("E0406", described.place,
          "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
@@ -165,7 +165,7 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   scene::Object& object = target.objects->emplace_back();
   object.at = clothes->at;
   object.shape = *made;
-  object.turn = *turn;
+  object.transform = *turn;
   object.material = clothes->material;
   object.name = clothes->name;
   if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);

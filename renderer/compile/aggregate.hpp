@@ -15,7 +15,7 @@ template <class Tuple>
 struct LeafSetsOf;
 template <class... G>
 struct LeafSetsOf<std::tuple<G...>> {
-  using Type = std::tuple<ShapeLeaves<InPlace<G>>..., ShapeLeaves<Turned<G>>..., SolidLeaves, InstanceLeaves>;
+  using Type = std::tuple<ShapeLeaves<Baked<G>>..., ShapeLeaves<Transformed<G>>..., SolidLeaves, InstanceLeaves>;
 };
 } // namespace detail
 

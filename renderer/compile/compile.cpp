@@ -95,7 +95,7 @@ private:
 
   // Most objects of a large scene are only moved.
   Affine placed_in(const Affine& outer, const scene::Object& object) const {
-    if (object.turn == scene::no_turn) return {outer.x, outer.y, outer.z, outer.point(object.at)};
+    if (object.transform == scene::no_transform) return {outer.x, outer.y, outer.z, outer.point(object.at)};
     return outer * to_parent(scene_, object);
   }
 
@@ -128,9 +128,9 @@ private:
   template <class G>
   void add_shape(const G& own, const Affine& map, LeafTag tag) {
     if (std::optional<G> here = placed(own, map))
-      put<ShapeLeaves<InPlace<G>>>(InPlace<G>{std::move(*here)}, tag);
+      put<ShapeLeaves<Baked<G>>>(Baked<G>{std::move(*here)}, tag);
     else if (const std::optional<Affine> to_local = inverse(map))
-      put<ShapeLeaves<Turned<G>>>(Turned<G>{own, map, *to_local}, tag);
+      put<ShapeLeaves<Transformed<G>>>(Transformed<G>{own, map, *to_local}, tag);
     else
       assert(false && "a transform must not flatten its shape");
   }
@@ -197,9 +197,10 @@ private:
       if constexpr (!is_composite<S>) {
         std::size_t count = 0;
         for (const scene::Object& object : objects)
-          count += object.shape.kind == scene::kind_of<S> && object.turn == scene::no_turn && object.is_visible;
+          count +=
+              object.shape.kind == scene::kind_of<S> && object.transform == scene::no_transform && object.is_visible;
         if (std::is_same_v<S, scene::Plane>) return; // is not bounded
-        assembly_->bounded_.all<ShapeLeaves<InPlace<GeometryOf<S>>>>().reserve(count);
+        assembly_->bounded_.all<ShapeLeaves<Baked<GeometryOf<S>>>>().reserve(count);
       }
     });
   }

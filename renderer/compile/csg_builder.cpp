@@ -109,8 +109,8 @@ void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Ob
       if constexpr (Solidlike<G>) {
         const G own = geometry(shape);
         assert(is_solid(own) && "what is open cannot be combined");
-        if (const std::optional<G> here = placed(own, map)) return add(InPlace<G>{*here});
-        if (const std::optional<Affine> to_local = inverse(map)) return add(Turned<G>{own, map, *to_local});
+        if (const std::optional<G> here = placed(own, map)) return add(Baked<G>{*here});
+        if (const std::optional<Affine> to_local = inverse(map)) return add(Transformed<G>{own, map, *to_local});
         assert(false && "a transform must not flatten its shape");
       } else {
         assert(false && "what is open cannot be combined");

@@ -56,7 +56,7 @@ struct OperandsOf<std::tuple<G...>> {
   template <class... P>
   static std::variant<P...> as_variant(std::tuple<P...>*);
   using Type = decltype(as_variant(
-      static_cast<Joined<typename Either<Solidlike<G>, InPlace<G>, Turned<G>>::Type...>*>(nullptr)));
+      static_cast<Joined<typename Either<Solidlike<G>, Baked<G>, Transformed<G>>::Type...>*>(nullptr)));
 };
 
 } // namespace detail

@@ -17,7 +17,7 @@ concept Solidlike = requires(const G& g, const Ray& ray, const Vec3& p) {
 
 /// Most shapes: their transform is worked into them.
 template <class Geometry>
-struct InPlace {
+struct Baked {
   using G = Geometry;
   G shape;
 
@@ -31,7 +31,7 @@ struct InPlace {
 /// A shape that the transform makes into something else, as an ellipsoid of a sphere: rays go to its own space, where t
 /// stays what it is because their direction keeps the length that the map gives it.
 template <class Geometry>
-struct Turned {
+struct Transformed {
   using G = Geometry;
   G shape;
   Affine to_outer, to_local;

@@ -63,7 +63,7 @@ void group_neighbours(std::span<Added> spheres) {
 
 } // namespace
 
-void ShapeLeaves<InPlace<SphereGeometry>>::arrange() {
+void ShapeLeaves<Baked<SphereGeometry>>::arrange() {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   group_neighbours(std::span(added_));
   packs_.resize((added_.size() + SpherePack::size - 1) / SpherePack::size);
@@ -82,7 +82,7 @@ void ShapeLeaves<InPlace<SphereGeometry>>::arrange() {
   added_ = {};
 }
 
-Box3 ShapeLeaves<InPlace<SphereGeometry>>::bounds(std::uint32_t i) const {
+Box3 ShapeLeaves<Baked<SphereGeometry>>::bounds(std::uint32_t i) const {
   Box3 box;
   const auto rest = static_cast<std::uint32_t>(tags_.size()) - i * SpherePack::size;
   for (std::uint32_t lane = 0; lane < std::min(rest, SpherePack::size); ++lane)
@@ -90,7 +90,7 @@ Box3 ShapeLeaves<InPlace<SphereGeometry>>::bounds(std::uint32_t i) const {
   return box;
 }
 
-bool ShapeLeaves<InPlace<SphereGeometry>>::inspect(std::uint32_t i, InspectQuery& query) const {
+bool ShapeLeaves<Baked<SphereGeometry>>::inspect(std::uint32_t i, InspectQuery& query) const {
   const auto count = static_cast<std::uint32_t>(tags_.size());
   for (std::uint32_t index = i * SpherePack::size; index < std::min(count, (i + 1) * SpherePack::size); ++index) {
     const SphereGeometry sphere = packs_[i].sphere(index % SpherePack::size);

@@ -11,13 +11,13 @@ namespace rt {
 /// Spheres stand eight to a leaf, each with its neighbours: a tree an eighth as large, which waits less for memory, and
 /// one call of a leaf instead of eight. What is hit is still one sphere, and `tag` and `surface` are about that.
 template <>
-class ShapeLeaves<InPlace<SphereGeometry>> {
+class ShapeLeaves<Baked<SphereGeometry>> {
 public:
   std::uint32_t size() const { return static_cast<std::uint32_t>(packs_.size()); }
   Box3 bounds(std::uint32_t i) const;
   LeafTag tag(std::uint32_t sphere) const { return tags_[sphere]; }
   void reserve(std::size_t count) { added_.reserve(count); }
-  void add(const InPlace<SphereGeometry>& placed, LeafTag tag) { added_.push_back({placed.shape, tag}); }
+  void add(const Baked<SphereGeometry>& placed, LeafTag tag) { added_.push_back({placed.shape, tag}); }
   /// Makes leaves of what was added.
   void arrange();
 

@@ -29,7 +29,7 @@ struct Origin {
 struct Object {
   Vec3 at{};
   ShapeRef shape;
-  TurnId turn = no_turn;
+  TransformId transform = no_transform;
   MaterialId material = no_material;
   NameId name = no_name;
   Origin origin;

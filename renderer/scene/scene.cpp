@@ -134,13 +134,14 @@ std::uint64_t saturating_sum(std::uint64_t a, std::uint64_t b) {
 } // namespace
 
 Placement placement(const Scene& scene, const Object& object) {
-  Placement whole = object.turn == no_turn ? Placement{} : scene.turns[static_cast<std::size_t>(object.turn)];
+  Placement whole =
+      object.transform == no_transform ? Placement{} : scene.transforms[static_cast<std::size_t>(object.transform)];
   whole.at = object.at;
   return whole;
 }
 
 Affine to_parent(const Scene& scene, const Object& object) {
-  if (object.turn == no_turn) return Affine::translating(object.at);
+  if (object.transform == no_transform) return Affine::translating(object.at);
   return matrix(placement(scene, object));
 }
 

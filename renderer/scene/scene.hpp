@@ -36,7 +36,7 @@ struct Scene {
   Shapes shapes;
   std::vector<Material> materials;
   std::vector<Pattern> patterns;
-  std::vector<Placement> turns; ///< `at` unused: it is in the object
+  std::vector<Placement> transforms; ///< `at` unused: it is in the object
   std::vector<std::string> names;
   std::vector<std::string> files;
 };

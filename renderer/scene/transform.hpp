@@ -61,7 +61,7 @@ Affine matrix(const Placement& placement);
 
 /// Index into `Scene::turns`, `no_turn` where there is neither scale, rotation nor chain: almost every object of a
 /// large scene, which is why `Object` keeps only `at` itself.
-enum class TurnId : std::uint32_t {};
-inline constexpr TurnId no_turn{0xffffffff};
+enum class TransformId : std::uint32_t {};
+inline constexpr TransformId no_transform{0xffffffff};
 
 } // namespace rt::scene

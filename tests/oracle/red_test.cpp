@@ -73,7 +73,7 @@ TEST_CASE("red: two objects swapped fail by the ids") {
 
 TEST_CASE("red: rotations in the reversed order fail") {
   scene::Scene scene = scene_of(text);
-  scene::Placement& turn = scene.turns[static_cast<std::size_t>(scene.objects[2].turn)];
+  scene::Placement& turn = scene.transforms[static_cast<std::size_t>(scene.objects[2].transform)];
   const Vec3 r = turn.rotate, at = scene.objects[2].at;
   turn.rotate = {};
   turn.chain = {scene::MoveStep{-at}, scene::RotateStep{{0, 0, r.z}, {}}, scene::RotateStep{{0, r.y, 0}, {}},

@@ -24,9 +24,9 @@ public:
     scene.patterns.push_back(p);
     return static_cast<scene::PatternId>(scene.patterns.size() - 1);
   }
-  scene::TurnId turn(const scene::Placement& p) {
-    scene.turns.push_back(p);
-    return static_cast<scene::TurnId>(scene.turns.size() - 1);
+  scene::TransformId transform(const scene::Placement& p) {
+    scene.transforms.push_back(p);
+    return static_cast<scene::TransformId>(scene.transforms.size() - 1);
   }
   template <class S>
   scene::Object object(S shape, scene::MaterialId material = scene::no_material, const Vec3& at = {}) {

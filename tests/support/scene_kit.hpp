@@ -14,7 +14,7 @@ class Thing {
 public:
   explicit Thing(scene::ShapeRef shape) { object_.shape = shape; }
   Thing at(const Vec3& p) && { return object_.at = p, std::move(*this); }
-  Thing turned(scene::TurnId turn) && { return object_.turn = turn, std::move(*this); }
+  Thing transformed(scene::TransformId transform) && { return object_.transform = transform, std::move(*this); }
   Thing with(scene::MaterialId material) && { return object_.material = material, std::move(*this); }
   Thing without_shadow() && { return object_.casts_shadow = false, std::move(*this); }
   Thing invisible() && { return object_.is_visible = false, std::move(*this); }
@@ -82,24 +82,24 @@ struct Kit {
     scene.patterns.push_back(p);
     return scene::PatternId{static_cast<std::uint32_t>(scene.patterns.size() - 1)};
   }
-  scene::TurnId turn(scene::Placement placement) {
-    scene.turns.push_back(std::move(placement));
-    return scene::TurnId{static_cast<std::uint32_t>(scene.turns.size() - 1)};
+  scene::TransformId transform(scene::Placement placement) {
+    scene.transforms.push_back(std::move(placement));
+    return scene::TransformId{static_cast<std::uint32_t>(scene.transforms.size() - 1)};
   }
-  scene::TurnId scaled(const Vec3& factors) {
+  scene::TransformId scaled(const Vec3& factors) {
     scene::Placement p;
     p.scale = factors;
-    return turn(p);
+    return transform(p);
   }
-  scene::TurnId rotated(const Vec3& degrees) {
+  scene::TransformId rotated(const Vec3& degrees) {
     scene::Placement p;
     p.rotate = degrees;
-    return turn(p);
+    return transform(p);
   }
-  scene::TurnId chained(std::vector<scene::Step> chain) {
+  scene::TransformId chained(std::vector<scene::Step> chain) {
     scene::Placement p;
     p.chain = std::move(chain);
-    return turn(p);
+    return transform(p);
   }
 
   template <class L>

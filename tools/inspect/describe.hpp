@@ -233,7 +233,7 @@ private:
       else
         fields(scene::fields(&shape), &shape);
     });
-    if (o.turn != scene::no_turn)
+    if (o.transform != scene::no_transform)
       placement(scene::placement(scene_, o));
     else
       vector("at", o.at);

@@ -106,7 +106,7 @@ private:
     if (!o.is_visible) return;
     if (!o.casts_shadow) found_.insert("no shadow");
     if (o.name != no_name) found_.insert("name");
-    if (o.turn != no_turn) placement(scene_.turns[static_cast<std::size_t>(o.turn)]);
+    if (o.transform != no_transform) placement(scene_.transforms[static_cast<std::size_t>(o.transform)]);
     const MaterialId id = o.material != no_material ? o.material : inherited;
     if (o.material != no_material) {
       material(scene_.materials[static_cast<std::size_t>(o.material)]);

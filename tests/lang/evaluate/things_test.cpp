@@ -76,7 +76,7 @@ TEST_CASE("things: scale, rotate and at apply in this order, however they are wr
   // (1, 0, 0) doubled is (2, 0, 0), a quarter turn about y carries it to (0, 0, -2), then it is moved.
   CHECK(to_parent(scene, scene.objects[0]).point({1, 0, 0}) == Vec3{1, 2, 1});
   CHECK(to_parent(scene, scene.objects[1]) == to_parent(scene, scene.objects[0]));
-  CHECK(scene.turns.size() == 1); // one turn for both
+  CHECK(scene.transforms.size() == 1); // one turn for both
 }
 
 TEST_CASE("things: the steps of a chain") {
@@ -156,7 +156,7 @@ TEST_CASE("things: what is kept and never placed is not in the scene") {
   CHECK(scene.shapes.all<scene::Group>().empty());
   CHECK(scene.shapes.all<scene::Combination>().empty());
   CHECK(scene.materials.size() == 1);
-  CHECK(scene.turns.empty());
+  CHECK(scene.transforms.empty());
 }
 
 TEST_CASE("things: visible false is absent, with everything in it") {

@@ -26,7 +26,7 @@ Kit many_things() {
   for (int i = 0; i < 60; ++i)
     k.add(
         k.sphere(0.3).at({i % 10 * 0.6, 0.7 * (i / 10), -0.4 * (i % 7)}).with(i % 3 == 0 ? glass : scene::no_material));
-  k.add(k.sphere().at({-1, 0, 1}).turned(k.scaled({1, 2, 0.5})).with(k.material(floor)));
+  k.add(k.sphere().at({-1, 0, 1}).transformed(k.scaled({1, 2, 0.5})).with(k.material(floor)));
   const scene::Object twice =
       k.group({k.sphere(0.4).at({0, 1, 0}), k.box({-0.2, -1, -0.2}, {0.2, 1, 0.2})}).at({4, 0, 2});
   k.add(twice);

@@ -72,7 +72,7 @@ TEST_CASE("compile: what is invisible is absent, alone, in a group and as an ope
 
 TEST_CASE("compile: a turned sphere is an ellipsoid") {
   Kit k;
-  k.add(k.sphere().turned(k.scaled({1, 2, 4})).at({0, 0, 10}));
+  k.add(k.sphere().transformed(k.scaled({1, 2, 4})).at({0, 0, 10}));
   Asked asked(k);
   CHECK(asked.nearest({0, 0, 0}, {0, 0, 1}).t == 6);
   CHECK(asked.nearest({0, 9, 10}, {0, -1, 0}).t == 7);

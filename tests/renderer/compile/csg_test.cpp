@@ -86,10 +86,10 @@ TEST_CASE("solids: a line that stays inside has no end") {
 TEST_CASE("solids: they nest, under any transform") {
   Kit k;
   // ((box − sphere) ∪ knob) turned by 90° about y, enlarged twice and moved.
-  const auto turn = k.turn({.scale = {2, 2, 2}, .rotate = {0, 90, 0}, .at = {}, .chain = {}});
+  const auto turn = k.transform({.scale = {2, 2, 2}, .rotate = {0, 90, 0}, .at = {}, .chain = {}});
   k.add(k.unite({k.subtract({k.box({-1, -1, -1}, {1, 1, 1}), k.sphere(0.5).at({0, 0, 1})}),
                  k.sphere(0.25).at({0, 0, -1.25})})
-            .turned(turn)
+            .transformed(turn)
             .at({10, 0, 0}));
   Asked asked(k);
   // Its own z axis lies along +x now: the dent is at 10 + 2 (1 − 0.5) = 11, the knob ends at 10 − 2 · 1.5 = 7.
@@ -171,7 +171,7 @@ TEST_CASE("solids: a solid that stands in two places is the same in both") {
   k.add(dice);
   scene::Object other = dice;
   other.at = {5, 0, 0};
-  other.turn = k.scaled({2, 1, 1});
+  other.transform = k.scaled({2, 1, 1});
   k.add(other);
   Asked asked(k);
   CHECK(asked.all({-10, 0, 0}, {1, 0, 0}) == Ts{4, 6, 13, 17});

@@ -23,9 +23,9 @@ std::vector<scene::Object> grid(Kit& k, int n) {
   return members;
 }
 
-scene::Object like(const scene::Object& o, const Vec3& at, scene::TurnId turn = scene::no_turn) {
+scene::Object like(const scene::Object& o, const Vec3& at, scene::TransformId turn = scene::no_transform) {
   scene::Object copy = o;
-  copy.at = at, copy.turn = turn;
+  copy.at = at, copy.transform = turn;
   return copy;
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("instances: the same picture as from copies") {
     const auto turn = k.rotated({0, 30, 10});
     for (int i = 0; i < 3; ++i) {
       scene::Object o =
-          like(shares ? shared : k.group(grid(k, 12)), {1.25 * i, 0.25, 0}, i == 1 ? turn : scene::no_turn);
+          like(shares ? shared : k.group(grid(k, 12)), {1.25 * i, 0.25, 0}, i == 1 ? turn : scene::no_transform);
       if (i == 2) o.material = glass;
       k.add(o);
     }

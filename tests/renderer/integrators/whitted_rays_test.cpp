@@ -313,7 +313,7 @@ TEST_CASE("whitted: a lit convex solid shows no speckle, whatever its size, plac
         Kit k;
         const auto sheared = k.chained({scene::ShearStep{.xy = 0.5, .zy = 0.3}, scene::RotateStep{{20, 30, 40}, {}},
                                         scene::ScaleStep{{size, size * 0.3, size}, {}}, scene::MoveStep{place * size}});
-        k.add(k.group({solid(k, which)}).turned(sheared));
+        k.add(k.group({solid(k, which)}).transformed(sheared));
         k.sun(-to_light);
         Asked asked(k);
         int lit = 0;

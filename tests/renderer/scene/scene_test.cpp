@@ -17,8 +17,8 @@ Object at(ShapeRef shape, const Vec3& where) {
 
 Object turned(Scene& scene, ShapeRef shape, Placement placement) {
   Object object = at(shape, placement.at);
-  object.turn = TurnId{static_cast<std::uint32_t>(scene.turns.size())};
-  scene.turns.push_back(std::move(placement));
+  object.transform = TransformId{static_cast<std::uint32_t>(scene.transforms.size())};
+  scene.transforms.push_back(std::move(placement));
   return object;
 }
 

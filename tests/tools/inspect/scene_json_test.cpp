@@ -33,7 +33,7 @@ SceneBuilder everything() {
   floor.y = -1;
   b.place(floor);
   const scene::Object member = b.object(scene::Box{}, scene::no_material, {0, 1, 0});
-  b.place(scene::Group{{member, member}}).turn = b.turn(
+  b.place(scene::Group{{member, member}}).transform = b.transform(
       {{1, 1, 1}, {0, 30, 0}, {}, {scene::MoveStep{{1, 0, 0}}, scene::ShearStep{.xy = 0.5}, scene::MatrixStep{}}});
   b.place(
       scene::Combination{scene::Combination::Operation::subtract, {b.object(scene::Box{}), b.object(scene::Sphere{})}});
@@ -132,7 +132,7 @@ TEST_CASE("scene hash: any change of the description changes it, source lines do
       [](scene::Scene& s) { s.objects[1].is_visible = false; },
       [](scene::Scene& s) { std::swap(s.objects[0], s.objects[1]); },
       [](scene::Scene& s) { s.objects.pop_back(); },
-      [](scene::Scene& s) { s.turns[0].chain.pop_back(); },
+      [](scene::Scene& s) { s.transforms[0].chain.pop_back(); },
       [](scene::Scene& s) { s.names[0] = "bell"; },
       [](scene::Scene& s) { s.lights[0].enclosing[0].at.z = 8; },
       [](scene::Scene& s) { s.materials[0].highlight = scene::Highlight::phong; },

@@ -132,8 +132,8 @@ void find_insides(LintContext& context) {
 void find_small_scales(LintContext& context) {
   const scene::Scene& scene = context.scene;
   std::vector<std::string> problems;
-  problems.reserve(scene.turns.size());
-  for (const scene::Placement& placement : scene.turns) problems.push_back(smallness(scene::matrix(placement)));
+  problems.reserve(scene.transforms.size());
+  for (const scene::Placement& placement : scene.transforms) problems.push_back(smallness(scene::matrix(placement)));
   struct Small {
     const scene::Object* first = nullptr;
     std::uint64_t count = 0;
@@ -141,7 +141,8 @@ void find_small_scales(LintContext& context) {
   std::map<Line, Small> lines;
   const auto look = [&](const std::vector<scene::Object>& objects) {
     for (const scene::Object& object : objects) {
-      if (object.turn == scene::no_turn || problems[static_cast<std::size_t>(object.turn)].empty()) continue;
+      if (object.transform == scene::no_transform || problems[static_cast<std::size_t>(object.transform)].empty())
+        continue;
       Small& small = lines[line_of(object.origin)];
       if (!small.first) small.first = &object;
       ++small.count;
@@ -154,7 +155,7 @@ void find_small_scales(LintContext& context) {
     const std::string subject = Findings::subject(name_of(scene, *small.first), small.count);
     lang::Diagnostic& d =
         context.findings.warn("W0209", line, fmt::format("the transform leaves almost nothing of {}", subject));
-    d.label = problems[static_cast<std::size_t>(small.first->turn)];
+    d.label = problems[static_cast<std::size_t>(small.first->transform)];
     d.notes.push_back(
         {std::nullopt, "look for a wrong unit or a 0 too many; what is meant to be flat can be a `disc` or a `quad`"});
   }

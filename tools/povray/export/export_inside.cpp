@@ -90,7 +90,8 @@ bool holds_in_povray(const Scene& scene, const Object& object, const Map& placem
 }
 
 Placement placement_of(const Scene& scene, const Object& o) {
-  Placement placement = o.turn == no_turn ? Placement{} : scene.turns[static_cast<std::size_t>(o.turn)];
+  Placement placement =
+      o.transform == no_transform ? Placement{} : scene.transforms[static_cast<std::size_t>(o.transform)];
   placement.at = o.at;
   return placement;
 }

@@ -46,11 +46,11 @@ private:
 /// What is placed as one: the scene itself, or a group that stands in it more than once. It holds leaves, numbered by
 /// slots in the order of declaration; an instance takes one slot here, but as many places in the scene's order as there
 /// are leaves in it.
-class Assembly {
+class Aggregate {
 public:
-  Assembly() = default;
-  Assembly(const Assembly&) = delete; // queries point to it
-  Assembly& operator=(const Assembly&) = delete;
+  Aggregate() = default;
+  Aggregate(const Aggregate&) = delete; // queries point to it
+  Aggregate& operator=(const Aggregate&) = delete;
 
   /// Shows the query to what it may hit.
   void nearest(NearestQuery& query) const;
@@ -97,15 +97,15 @@ private:
   };
 
   // A leaf outside the tree: it has no finite box.
-  struct Loose {
+  struct Unbounded {
     const LeafKind* kind;
     const void* leaves;
     std::uint32_t index;
   };
 
   LeafSets bounded_, unbounded_;
-  accel::Tree tree_;         // over the first
-  std::vector<Loose> loose_; // the second
+  accel::Tree tree_;                        // over the first
+  std::vector<Unbounded> unbounded_leaves_; // the second
   Box3 box_;
   std::uint64_t leaf_count_ = 0;
   std::vector<Step> steps_; // by slot

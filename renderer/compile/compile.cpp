@@ -31,12 +31,12 @@ public:
   Compiler(Compiled& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
            std::span<const Part> parts)
       : compiled_(compiled), bindings_(*compiled.bindings_), scene_(scene), objects_(objects), parts_(parts),
-        usage_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, bindings_),
+        instancing_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, bindings_),
         group_assemblies_(scene.shapes.all<scene::Group>().size()),
         shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
 
   void run() {
-    for (const std::uint32_t group : usage_.instanced())
+    for (const std::uint32_t group : instancing_.instanced())
       group_assemblies_[group] = compile(scene_.shapes.all<scene::Group>()[group].members, inherited_binding);
     compile(objects_, bindings_.default_binding(), true);
   }
@@ -53,10 +53,10 @@ private:
     return stretches;
   }
 
-  const Assembly* compile(std::span<const scene::Object> objects, BindingId binding, bool is_root = false) {
-    compiled_.assemblies_.push_back(std::make_unique<Assembly>());
-    Assembly& assembly = *compiled_.assemblies_.back();
-    assembly_ = &assembly;
+  const Aggregate* compile(std::span<const scene::Object> objects, BindingId binding, bool is_root = false) {
+    compiled_.aggregates_.push_back(std::make_unique<Aggregate>());
+    Aggregate& aggregate = *compiled_.aggregates_.back();
+    aggregate_ = &aggregate;
     slot_count_ = 0;
     if (is_root)
       for (const auto stretch : outside_of_parts()) reserve(stretch);
@@ -65,9 +65,9 @@ private:
     next_part_ = is_root ? 0 : parts_.size();
     std::vector<Frame> frames{{objects, {}, binding, true, 0}};
     while (!frames.empty()) visit(frames);
-    assembly.leaf_count_ = assembly.order(slot_count_);
+    aggregate.leaf_count_ = aggregate.order(slot_count_);
     build();
-    return &assembly;
+    return &aggregate;
   }
 
   // One step: the next object of the innermost frame. There is no recursion, because groups may nest deep.
@@ -84,9 +84,9 @@ private:
     const Affine map = placed_in(frame.map, object);
     const BindingId binding = bindings_.of(object, map, frame.binding);
     const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
-    if (object.shape.kind == scene::kind_of<scene::Group> && !usage_.is_instanced(object.shape.index)) {
-      const auto source = static_cast<std::uint32_t>(assembly_->sources_.size());
-      assembly_->sources_.push_back({frame.source, position});
+    if (object.shape.kind == scene::kind_of<scene::Group> && !instancing_.is_instanced(object.shape.index)) {
+      const auto source = static_cast<std::uint32_t>(aggregate_->sources_.size());
+      aggregate_->sources_.push_back({frame.source, position});
       frames.push_back({scene_.shapes.get<scene::Group>(object.shape).members, map, binding, casts_shadow, source});
       return;
     }
@@ -100,7 +100,7 @@ private:
   }
 
   std::uint32_t new_slot(std::uint32_t source, std::uint32_t position) {
-    auto& runs = assembly_->runs_;
+    auto& runs = aggregate_->runs_;
     const std::uint32_t slot = slot_count_++;
     if (runs.empty() || runs.back().source != source || runs.back().position + (slot - runs.back().slot) != position)
       runs.push_back({slot, source, position});
@@ -143,38 +143,38 @@ private:
   }
 
   LeafSets& sets_for(const Box3& box) {
-    assembly_->box_.extend(box);
-    return box.is_finite() ? assembly_->bounded_ : assembly_->unbounded_;
+    aggregate_->box_.extend(box);
+    return box.is_finite() ? aggregate_->bounded_ : aggregate_->unbounded_;
   }
 
   void add_instance(std::uint32_t group, const Affine& map, LeafTag tag) {
-    const Assembly* assembly = group_assemblies_[group];
-    const std::uint64_t order = assembly_->order(tag.slot);
-    assembly_->steps_.push_back({nullptr, 0, tag.slot, order, assembly->leaf_count()});
-    const Box3 box = transform_box(map, assembly->box());
+    const Aggregate* aggregate = group_assemblies_[group];
+    const std::uint64_t order = aggregate_->order(tag.slot);
+    aggregate_->steps_.push_back({nullptr, 0, tag.slot, order, aggregate->leaf_count()});
+    const Box3 box = transform_box(map, aggregate->box());
     if (box.is_empty()) return;
     const std::optional<Affine> to_local = inverse(map);
     assert(to_local && "a transform must not flatten its group");
     InstanceLeaves& leaves = sets_for(box).all<InstanceLeaves>();
-    assembly_->steps_.back().leaves = &leaves;
-    assembly_->steps_.back().index = leaves.size();
-    leaves.add({assembly, map, to_local.value_or(Affine{}), order}, tag);
+    aggregate_->steps_.back().leaves = &leaves;
+    aggregate_->steps_.back().index = leaves.size();
+    leaves.add({aggregate, map, to_local.value_or(Affine{}), order}, tag);
   }
 
   void add_part(std::size_t index) {
-    const Assembly& assembly = compiled_.parts_[index]->root();
+    const Aggregate& aggregate = compiled_.parts_[index]->root();
     const std::uint32_t slot = new_slot(0, parts_[index].begin);
-    const std::uint64_t order = assembly_->order(slot);
-    assembly_->steps_.push_back({nullptr, 0, slot, order, assembly.leaf_count()});
-    if (assembly.box().is_empty()) return;
-    InstanceLeaves& leaves = sets_for(assembly.box()).all<InstanceLeaves>();
-    assembly_->steps_.back().leaves = &leaves;
-    assembly_->steps_.back().index = leaves.size();
-    leaves.add({&assembly, {}, {}, order, parts_[index].begin}, LeafTag(slot, bindings_.default_binding(), true));
+    const std::uint64_t order = aggregate_->order(slot);
+    aggregate_->steps_.push_back({nullptr, 0, slot, order, aggregate.leaf_count()});
+    if (aggregate.box().is_empty()) return;
+    InstanceLeaves& leaves = sets_for(aggregate.box()).all<InstanceLeaves>();
+    aggregate_->steps_.back().leaves = &leaves;
+    aggregate_->steps_.back().index = leaves.size();
+    leaves.add({&aggregate, {}, {}, order, parts_[index].begin}, LeafTag(slot, bindings_.default_binding(), true));
   }
 
   void add_solid(const scene::Object& object, const scene::Combination& combination, const Affine& map, LeafTag tag) {
-    const bool is_shared = usage_.is_shared(object.shape);
+    const bool is_shared = instancing_.is_shared(object.shape);
     const Solid*& shared = shared_solids_[object.shape.index];
     const Solid* solid = shared;
     if (!solid) {
@@ -200,13 +200,13 @@ private:
           count +=
               object.shape.kind == scene::kind_of<S> && object.transform == scene::no_transform && object.is_visible;
         if (std::is_same_v<S, scene::Plane>) return; // is not bounded
-        assembly_->bounded_.all<ShapeLeaves<Baked<GeometryOf<S>>>>().reserve(count);
+        aggregate_->bounded_.all<ShapeLeaves<Baked<GeometryOf<S>>>>().reserve(count);
       }
     });
   }
 
   void build() {
-    Assembly& a = *assembly_;
+    Aggregate& a = *aggregate_;
     Box3 box;
     std::size_t count = 0;
     for (LeafSets* sets : {&a.bounded_, &a.unbounded_}) sets->for_each([](auto& leaves) { arrange(leaves); });
@@ -230,7 +230,8 @@ private:
 
   void add_loose(const LeafSets& sets) {
     sets.for_each([&]<class Leaves>(const Leaves& leaves) {
-      for (std::uint32_t i = 0; i < leaves.size(); ++i) assembly_->loose_.push_back({&leaf_kind<Leaves>, &leaves, i});
+      for (std::uint32_t i = 0; i < leaves.size(); ++i)
+        aggregate_->unbounded_leaves_.push_back({&leaf_kind<Leaves>, &leaves, i});
     });
   }
 
@@ -239,12 +240,12 @@ private:
   const scene::Scene& scene_;
   std::span<const scene::Object> objects_;
   std::span<const Part> parts_;
-  Usage usage_;
+  Instancing instancing_;
   SolidBuilder solid_builder_;
-  std::vector<const Assembly*> group_assemblies_; // by group
-  std::vector<const Solid*> shared_solids_;       // by combination
+  std::vector<const Aggregate*> group_assemblies_; // by group
+  std::vector<const Solid*> shared_solids_;        // by combination
 
-  Assembly* assembly_ = nullptr; // that is being made
+  Aggregate* aggregate_ = nullptr; // that is being made
   std::uint32_t slot_count_ = 0;
   std::size_t next_part_ = 0;
 };

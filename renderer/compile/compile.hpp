@@ -29,7 +29,7 @@ public:
   /// `parts` are in the order of the list and do not overlap.
   Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
-  const Assembly& root() const { return *assemblies_.back(); }
+  const Aggregate& root() const { return *aggregates_.back(); }
   const MaterialBindings& bindings() const { return *bindings_; }
 
 private:
@@ -43,7 +43,7 @@ private:
   std::shared_ptr<MaterialBindings> bindings_;
   std::vector<std::shared_ptr<const Compiled>> parts_;
   std::vector<std::unique_ptr<Solid>> solids_;
-  std::vector<std::unique_ptr<Assembly>> assemblies_; // every one after those it has instances of
+  std::vector<std::unique_ptr<Aggregate>> aggregates_; // every one after those it has instances of
 };
 
 /// What is kept from one compilation of a growing scene to the next. The scene's tables (shapes, materials, patterns,

@@ -31,9 +31,9 @@ void settle_medium(Resolved& r, const MaterialBindings& bindings, const RayHit& 
   r.ior = r.leaf.solids ? r.leaf.solids->ior(hit.index, bindings, binding) : bindings.ior(binding);
 }
 
-Resolved resolve_leaf(const Assembly& assembly, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) {
+Resolved resolve_leaf(const Aggregate& aggregate, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) {
   Resolved r{hit.kind->surface(hit.leaves, bindings, ray, hit),
-             hit.base + assembly.order(hit.kind->tag(hit.leaves, hit.index).slot)};
+             hit.base + aggregate.order(hit.kind->tag(hit.leaves, hit.index).slot)};
   settle_medium(r, bindings, hit, r.leaf.leaf_style);
   if (r.leaf.smooth)
     r.smoothness = Smoothness{barycentric(r.leaf.smooth->flat, r.leaf.point.position), r.leaf.smooth->normals};
@@ -41,14 +41,14 @@ Resolved resolve_leaf(const Assembly& assembly, const MaterialBindings& bindings
 }
 
 // `first` is the order of the assembly's first leaf.
-Resolved resolve(const Assembly& assembly, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit,
+Resolved resolve(const Aggregate& aggregate, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit,
                  std::uint64_t first) {
-  if (&assembly == hit.assembly) return resolve_leaf(assembly, bindings, ray, hit);
+  if (&aggregate == hit.aggregate) return resolve_leaf(aggregate, bindings, ray, hit);
   std::uint32_t slot = 0;
-  const Assembly::Step& step = *assembly.step_to(hit.base - first, slot);
+  const Aggregate::Step& step = *aggregate.step_to(hit.base - first, slot);
   const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
-  if (instance.part_begin) return resolve(*instance.assembly, bindings, ray, hit, first + step.order);
-  Resolved r = resolve(*instance.assembly, bindings, instance.to_local.ray(ray), hit, first + step.order);
+  if (instance.part_begin) return resolve(*instance.aggregate, bindings, ray, hit, first + step.order);
+  Resolved r = resolve(*instance.aggregate, bindings, instance.to_local.ray(ray), hit, first + step.order);
   r.leaf.point = mapped(r.leaf.point, instance.to_outer, instance.to_local);
   const BindingId binding = step.leaves->tag(step.index).style_id();
   if (r.leaf.binding == inherited_binding && binding != inherited_binding) {
@@ -136,12 +136,12 @@ void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceSc
 }
 
 bool Traceable::casts_shadow(const RayHit& hit) const {
-  const Assembly* assembly = &compiled_.root();
-  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+  const Aggregate* aggregate = &compiled_.root();
+  for (std::uint64_t first = 0; aggregate != hit.aggregate;) {
     std::uint32_t slot = 0;
-    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    const Aggregate::Step& step = *aggregate->step_to(hit.base - first, slot);
     if (!step.leaves->tag(step.index).casts_shadow) return false;
-    assembly = step.leaves->leaf(step.index).assembly;
+    aggregate = step.leaves->leaf(step.index).aggregate;
     first += step.order;
   }
   if (!hit.kind->tag(hit.leaves, hit.index).casts_shadow) return false;
@@ -181,7 +181,7 @@ std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) c
   query.inspects = true;
   query.hits = &hits;
   compiled_.root().blocks(query);
-  const auto order = [](const RayHit& h) { return h.base + h.assembly->order(h.kind->tag(h.leaves, h.index).slot); };
+  const auto order = [](const RayHit& h) { return h.base + h.aggregate->order(h.kind->tag(h.leaves, h.index).slot); };
   std::stable_sort(hits.begin(), hits.end(),
                    [&](const RayHit& a, const RayHit& b) { return a.t < b.t || (a.t == b.t && order(a) < order(b)); });
   return hits;
@@ -204,23 +204,23 @@ std::vector<Interior> Traceable::around(const Vec3& p) const {
 
 std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
   std::vector<std::uint32_t> path;
-  const Assembly* assembly = &compiled_.root();
+  const Aggregate* aggregate = &compiled_.root();
   std::uint32_t part_begin = 0;
   const auto append = [&](const std::vector<std::uint32_t>& part) {
     path.insert(path.end(), part.begin(), part.end());
   };
-  for (std::uint64_t first = 0; assembly != hit.assembly;) {
+  for (std::uint64_t first = 0; aggregate != hit.aggregate;) {
     std::uint32_t slot = 0;
-    const Assembly::Step& step = *assembly->step_to(hit.base - first, slot);
+    const Aggregate::Step& step = *aggregate->step_to(hit.base - first, slot);
     const InstanceLeaves::Leaf& instance = step.leaves->leaf(step.index);
     if (instance.part_begin)
       part_begin = *instance.part_begin;
     else
-      append(assembly->path(step.slot));
-    assembly = instance.assembly;
+      append(aggregate->path(step.slot));
+    aggregate = instance.aggregate;
     first += step.order;
   }
-  append(assembly->path(hit.kind->tag(hit.leaves, hit.index).slot));
+  append(aggregate->path(hit.kind->tag(hit.leaves, hit.index).slot));
   if (hit.kind == &leaf_kind<SolidLeaves>) {
     const auto& solids = *static_cast<const SolidLeaves*>(hit.leaves);
     append(solids.leaf(hit.index).solid->path(hit.operand));

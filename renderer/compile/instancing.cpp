@@ -21,7 +21,7 @@ bool is_group(const scene::Object& object) {
 
 } // namespace
 
-Usage::Usage(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
+Instancing::Instancing(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
   const std::size_t groups = scene.shapes.all<scene::Group>().size();
   leaves_.resize(groups);
   copies_.resize(groups);
@@ -33,7 +33,7 @@ Usage::Usage(const scene::Scene& scene, const std::vector<std::span<const scene:
   count_copies(scene, objects);
 }
 
-void Usage::find_groups(const scene::Scene& scene, std::span<const scene::Object> objects) {
+void Instancing::find_groups(const scene::Scene& scene, std::span<const scene::Object> objects) {
   struct Visit {
     std::span<const scene::Object> objects;
     std::uint32_t group; // whose members they are
@@ -55,7 +55,7 @@ void Usage::find_groups(const scene::Scene& scene, std::span<const scene::Object
   }
 }
 
-void Usage::count_leaves(const scene::Scene& scene) {
+void Instancing::count_leaves(const scene::Scene& scene) {
   for (const std::uint32_t group : innermost_first_) {
     std::uint64_t sum = 0;
     for (const scene::Object& member : scene.shapes.all<scene::Group>()[group].members) {
@@ -66,7 +66,7 @@ void Usage::count_leaves(const scene::Scene& scene) {
 }
 
 // From the outside in, so that all places of a group are known when it is decided about.
-void Usage::count_copies(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
+void Instancing::count_copies(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
   const auto count = [&](std::span<const scene::Object> placed, std::uint64_t times) {
     for (const scene::Object& object : placed) {
       if (!object.is_visible) continue;
@@ -84,7 +84,7 @@ void Usage::count_copies(const scene::Scene& scene, const std::vector<std::span<
   }
 }
 
-std::vector<std::uint32_t> Usage::instanced() const {
+std::vector<std::uint32_t> Instancing::instanced() const {
   std::vector<std::uint32_t> result;
   std::copy_if(innermost_first_.begin(), innermost_first_.end(), std::back_inserter(result),
                [&](std::uint32_t group) { return is_instanced_[group]; });

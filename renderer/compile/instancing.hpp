@@ -11,9 +11,9 @@ namespace rt {
 /// How often the groups and combinations of a scene are placed, and which groups are worth an assembly of their own.
 /// What stands within a combination is not counted: that is the combination's affair. `objects` are the stretches of
 /// the scene's list that it is about.
-class Usage {
+class Instancing {
 public:
-  Usage(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects);
+  Instancing(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects);
 
   bool is_instanced(std::uint32_t group) const { return is_instanced_[group]; }
   bool is_shared(const scene::ShapeRef& combination) const { return combination_copies_[combination.index] > 1; }

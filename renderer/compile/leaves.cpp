@@ -102,15 +102,15 @@ LeafSurface SolidLeaves::surface(const MaterialBindings& bindings, const Ray& ou
 }
 
 Box3 InstanceLeaves::bounds(std::uint32_t i) const {
-  if (leaves_[i].part_begin) return leaves_[i].assembly->box();
-  return transform_box(leaves_[i].to_outer, leaves_[i].assembly->box());
+  if (leaves_[i].part_begin) return leaves_[i].aggregate->box();
+  return transform_box(leaves_[i].to_outer, leaves_[i].aggregate->box());
 }
 
 void InstanceLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const Leaf& leaf = leaves_[i];
-  NearestQuery inner(leaf.part_begin ? query.ray : carried(leaf, query.ray), query.interval, *leaf.assembly,
+  NearestQuery inner(leaf.part_begin ? query.ray : carried(leaf, query.ray), query.interval, *leaf.aggregate,
                      query.base + leaf.order, query.best, query.scratch);
-  leaf.assembly->nearest(inner);
+  leaf.aggregate->nearest(inner);
   query.interval.upper = inner.interval.upper;
 }
 
@@ -124,14 +124,14 @@ bool InstanceLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
       tag.style_id() == inherited_binding ? query.inherited : InheritedBinding{tag.style_id(), &query.ray};
   if (query.inspects) {
     const auto& outer = static_cast<const InspectQuery&>(query);
-    InspectQuery inner(ray, query.interval, *leaf.assembly, base, query.bindings, inherited, query.scratch);
+    InspectQuery inner(ray, query.interval, *leaf.aggregate, base, query.bindings, inherited, query.scratch);
     inner.inspects = true;
     inner.hits = outer.hits;
     inner.around = outer.around;
-    return leaf.assembly->blocks(inner);
+    return leaf.aggregate->blocks(inner);
   }
-  ShadowQuery inner(ray, query.interval, *leaf.assembly, base, query.bindings, inherited, query.scratch);
-  return leaf.assembly->blocks(inner);
+  ShadowQuery inner(ray, query.interval, *leaf.aggregate, base, query.bindings, inherited, query.scratch);
+  return leaf.aggregate->blocks(inner);
 }
 
 LeafSurface InstanceLeaves::surface(const MaterialBindings&, const Ray&, const RayHit&) const {

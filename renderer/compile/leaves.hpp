@@ -141,7 +141,7 @@ private:
 class InstanceLeaves {
 public:
   struct Leaf {
-    const Assembly* assembly;
+    const Aggregate* aggregate;
     Affine to_outer, to_local;
     std::uint64_t order; ///< how many leaves of its own assembly come before it
     /// Of a part: where it begins in the scene's list. It stands where it is, so rays and points stay what they are.

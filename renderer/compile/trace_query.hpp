@@ -11,7 +11,7 @@
 /// What travels through the trees of a compiled scene.
 namespace rt {
 
-class Assembly;
+class Aggregate;
 struct LeafKind;
 
 /// A leaf that a ray met, and where: enough to work out the rest for the one that counts.
@@ -23,7 +23,7 @@ struct RayHit {
   bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
   const LeafKind* kind = nullptr; ///< none: no hit
   const void* leaves = nullptr;   ///< the set
-  const Assembly* assembly = nullptr;
+  const Aggregate* aggregate = nullptr;
   std::uint64_t base = 0; ///< the order of the assembly's first leaf, where this instance of it stands
 
   explicit operator bool() const { return kind != nullptr; }
@@ -55,15 +55,15 @@ struct TraceScratch {
 
 /// Looks for the nearest hit.
 struct NearestQuery : accel::Query {
-  NearestQuery(const Ray& r, const Interval& i, const Assembly& a, std::uint64_t b, RayHit& h, TraceScratch& s)
-      : Query(r, i), assembly(a), base(b), best(h), scratch(s) {}
+  NearestQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, RayHit& h, TraceScratch& s)
+      : Query(r, i), aggregate(a), base(b), best(h), scratch(s) {}
 
   /// Takes the hit unless there is an equally near one on a leaf that was declared before. False: it was not taken.
   bool offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind, const void* leaves);
 
-  const Assembly& assembly; ///< whose tree it is in
-  std::uint64_t base;       ///< the order of the assembly's first leaf, where it stands
-  RayHit& best;             ///< of the whole scene so far
+  const Aggregate& aggregate; ///< whose tree it is in
+  std::uint64_t base;         ///< the order of the assembly's first leaf, where it stands
+  RayHit& best;               ///< of the whole scene so far
   TraceScratch& scratch;
 };
 
@@ -75,9 +75,9 @@ struct InheritedBinding {
 
 /// Looks for what is in the way of light: opaque leaves end it, transparent ones leave a filter.
 struct ShadowQuery : accel::Query {
-  ShadowQuery(const Ray& r, const Interval& i, const Assembly& a, std::uint64_t b, const MaterialBindings& all,
+  ShadowQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, const MaterialBindings& all,
               const InheritedBinding& from_outside, TraceScratch& s)
-      : Query(r, i), assembly(a), base(b), bindings(all), inherited(from_outside), scratch(s) {}
+      : Query(r, i), aggregate(a), base(b), bindings(all), inherited(from_outside), scratch(s) {}
 
   BindingId resolved(BindingId binding) const { return binding == inherited_binding ? inherited.binding : binding; }
   /// Of a leaf's surface at the ray's t.
@@ -87,7 +87,7 @@ struct ShadowQuery : accel::Query {
   }
   void add_filter(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance);
 
-  const Assembly& assembly;
+  const Aggregate& aggregate;
   std::uint64_t base;
   const MaterialBindings& bindings;
   InheritedBinding inherited;

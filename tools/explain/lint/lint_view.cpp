@@ -18,13 +18,13 @@ namespace {
 /// Which leaf was hit: as long as it stays the same, its names need not be looked up again.
 struct LeafKey {
   const void* leaves = nullptr;
-  const void* assembly = nullptr;
+  const void* aggregate = nullptr;
   std::uint32_t index = 0, operand = 0;
   std::uint64_t base = 0;
   friend bool operator==(const LeafKey&, const LeafKey&) = default;
 };
 LeafKey key_of(const RayHit& hit) {
-  return {hit.leaves, hit.assembly, hit.index, hit.operand, hit.base};
+  return {hit.leaves, hit.aggregate, hit.index, hit.operand, hit.base};
 }
 
 class RowWatcher {

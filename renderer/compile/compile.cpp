@@ -175,11 +175,11 @@ private:
 
   void add_solid(const scene::Object& object, const scene::Combination& combination, const Affine& map, LeafTag tag) {
     const bool is_shared = instancing_.is_shared(object.shape);
-    const Solid*& shared = shared_solids_[object.shape.index];
-    const Solid* solid = shared;
+    const CsgSolid*& shared = shared_solids_[object.shape.index];
+    const CsgSolid* solid = shared;
     if (!solid) {
       compiled_.solids_.push_back(
-          std::make_unique<Solid>(solid_builder_.build(combination, is_shared ? Affine{} : map)));
+          std::make_unique<CsgSolid>(solid_builder_.build(combination, is_shared ? Affine{} : map)));
       solid = compiled_.solids_.back().get();
       if (is_shared) shared = solid;
     }
@@ -241,9 +241,9 @@ private:
   std::span<const scene::Object> objects_;
   std::span<const Part> parts_;
   Instancing instancing_;
-  SolidBuilder solid_builder_;
+  CsgBuilder solid_builder_;
   std::vector<const Aggregate*> group_assemblies_; // by group
-  std::vector<const Solid*> shared_solids_;        // by combination
+  std::vector<const CsgSolid*> shared_solids_;     // by combination
 
   Aggregate* aggregate_ = nullptr; // that is being made
   std::uint32_t slot_count_ = 0;

@@ -42,7 +42,7 @@ private:
   std::shared_ptr<accel::Device> device_; // those of a part are the whole's
   std::shared_ptr<MaterialBindings> bindings_;
   std::vector<std::shared_ptr<const Compiled>> parts_;
-  std::vector<std::unique_ptr<Solid>> solids_;
+  std::vector<std::unique_ptr<CsgSolid>> solids_;
   std::vector<std::unique_ptr<Aggregate>> aggregates_; // every one after those it has instances of
 };
 

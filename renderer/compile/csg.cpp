@@ -39,12 +39,12 @@ void sweep(std::vector<Boundary>& list, std::size_t begin, std::size_t depth, st
 
 } // namespace
 
-Box3 Solid::box_of(const Child& child, const Affine& map) const {
+Box3 CsgSolid::box_of(const Child& child, const Affine& map) const {
   if (child.is_node) return box_of(child.index, map);
   return std::visit([&](const auto& shape) { return shape.box(map); }, operands_[child.index].shape);
 }
 
-Box3 Solid::box_of(std::uint32_t index, const Affine& map) const {
+Box3 CsgSolid::box_of(std::uint32_t index, const Affine& map) const {
   const Node& node = nodes_[index];
   if (node.children.empty()) return {};
   Box3 box = box_of(node.children.front(), map);
@@ -58,7 +58,7 @@ Box3 Solid::box_of(std::uint32_t index, const Affine& map) const {
   return box;
 }
 
-void Solid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scratch) const {
+void CsgSolid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scratch) const {
   const Node& node = nodes_[index];
   std::vector<Boundary>& list = scratch.boundaries;
   const std::size_t begin = list.size(), count = node.children.size();
@@ -94,7 +94,7 @@ void Solid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scratch
     sweep(list, begin, 0, node.operation == Operation::unite ? 1 : count);
 }
 
-void Solid::push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceScratch& scratch) const {
+void CsgSolid::push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceScratch& scratch) const {
   std::vector<Boundary>& list = scratch.boundaries;
   const std::size_t begin = list.size();
   const Child& child = node.children[i];
@@ -117,13 +117,13 @@ void Solid::push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceS
   }
 }
 
-bool Solid::child_contains(const Child& child, const Vec3& p) const {
+bool CsgSolid::child_contains(const Child& child, const Vec3& p) const {
   if (child.is_node) return node_contains(child.index, p);
   return std::visit([&](const auto& placed) { return rt::contains(placed.shape, placed.carried(p)); },
                     operands_[child.index].shape);
 }
 
-bool Solid::node_contains(std::uint32_t index, const Vec3& p) const {
+bool CsgSolid::node_contains(std::uint32_t index, const Vec3& p) const {
   const Node& node = nodes_[index];
   const auto is_around = [&](const Child& child) { return child_contains(child, p); };
   const auto begin = node.children.begin(), end = node.children.end();
@@ -139,7 +139,7 @@ bool Solid::node_contains(std::uint32_t index, const Vec3& p) const {
   return false;
 }
 
-SurfacePoint Solid::point(const Ray& ray, const RayHit& hit) const {
+SurfacePoint CsgSolid::point(const Ray& ray, const RayHit& hit) const {
   const Hit on_operand{hit.t, hit.shape_part};
   SurfacePoint p =
       std::visit([&](const auto& placed) { return placed.point(ray, on_operand); }, operands_[hit.operand].shape);
@@ -147,7 +147,7 @@ SurfacePoint Solid::point(const Ray& ray, const RayHit& hit) const {
   return p;
 }
 
-std::vector<std::uint32_t> Solid::path(std::uint32_t operand) const {
+std::vector<std::uint32_t> CsgSolid::path(std::uint32_t operand) const {
   std::vector<std::uint32_t> path;
   for (std::uint32_t i = operands_[operand].source; i != 0; i = sources_[i].parent)
     path.push_back(sources_[i].position);
@@ -155,7 +155,7 @@ std::vector<std::uint32_t> Solid::path(std::uint32_t operand) const {
   return path;
 }
 
-double Solid::ior(const MaterialBindings& bindings, BindingId inherited) const {
+double CsgSolid::ior(const MaterialBindings& bindings, BindingId inherited) const {
   for (const BindingId candidate : media_) {
     const BindingId binding = candidate == inherited_binding ? inherited : candidate;
     if (bindings.uses_ior(binding)) return bindings.ior(binding);
@@ -163,7 +163,7 @@ double Solid::ior(const MaterialBindings& bindings, BindingId inherited) const {
   return 1;
 }
 
-bool Solid::is_medium(const MaterialBindings& bindings, BindingId inherited) const {
+bool CsgSolid::is_medium(const MaterialBindings& bindings, BindingId inherited) const {
   return std::any_of(operands_.begin(), operands_.end(), [&](const Operand& operand) {
     return !bindings.is_opaque(operand.binding == inherited_binding ? inherited : operand.binding);
   });

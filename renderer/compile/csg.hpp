@@ -20,7 +20,7 @@ struct LineQuery : accel::Query {
 /// A combination of solids, made ready for tracing. Along a line each operand is a list of intervals, and so is what
 /// the operations make of them (Roth, Ray Casting for Modeling Solids, 1982); the ends of the intervals are the
 /// surface. Where operands' surfaces coincide, the one declared first is taken.
-class Solid {
+class CsgSolid {
 public:
   using Operation = scene::Combination::Operation;
 
@@ -56,7 +56,7 @@ public:
   bool is_medium(const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
-  friend class SolidBuilder;
+  friend class CsgBuilder;
 
   // A node's children are operands or other nodes.
   struct Child {
@@ -106,21 +106,21 @@ private:
 };
 
 /// Makes the solid of a combination.
-class SolidBuilder {
+class CsgBuilder {
 public:
   /// All must outlive the builder.
-  SolidBuilder(const scene::Scene& scene, const accel::Device& device, MaterialBindings& bindings)
+  CsgBuilder(const scene::Scene& scene, const accel::Device& device, MaterialBindings& bindings)
       : scene_(scene), device_(device), bindings_(bindings) {}
 
   /// `map` leads from the combination's space to the one that the solid is to stand in.
-  Solid build(const scene::Combination& combination, const Affine& map);
+  CsgSolid build(const scene::Combination& combination, const Affine& map);
 
 private:
   struct Frame;
-  void visit(Solid& solid, std::vector<Frame>& frames);
-  void add_medium(Solid& solid, BindingId binding) const;
-  void add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
-  void add_index(Solid& solid, Solid::Node& node);
+  void visit(CsgSolid& solid, std::vector<Frame>& frames);
+  void add_medium(CsgSolid& solid, BindingId binding) const;
+  void add_operand(CsgSolid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
+  void add_index(CsgSolid& solid, CsgSolid::Node& node);
 
   const scene::Scene& scene_;
   const accel::Device& device_;

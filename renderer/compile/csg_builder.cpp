@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t least_for_index = 8;
 
 // Whether an operand's own operands can stand in its place: a ∪ (b ∪ c), a ∩ (b ∩ c), (a − b) − c, a − (b ∪ c).
-bool dissolves(Solid::Operation outer, Solid::Operation inner, bool is_first) {
+bool dissolves(CsgSolid::Operation outer, CsgSolid::Operation inner, bool is_first) {
   using enum scene::Combination::Operation;
   if (outer != subtract) return inner == outer;
   return is_first ? inner == subtract : inner == unite;
@@ -19,7 +19,7 @@ bool dissolves(Solid::Operation outer, Solid::Operation inner, bool is_first) {
 } // namespace
 
 // The members of a group or the operands of a combination, on the way through them.
-struct SolidBuilder::Frame {
+struct CsgBuilder::Frame {
   std::span<const scene::Object> objects;
   std::uint32_t node;  // that they become children of
   bool is_subtraction; // what comes after the node's first child is taken away from it
@@ -30,19 +30,19 @@ struct SolidBuilder::Frame {
   std::size_t next = 0;
 };
 
-Solid SolidBuilder::build(const scene::Combination& combination, const Affine& map) {
-  Solid solid;
+CsgSolid CsgBuilder::build(const scene::Combination& combination, const Affine& map) {
+  CsgSolid solid;
   solid.sources_.push_back({0, 0});
   solid.nodes_.push_back({combination.operation, {}, nullptr});
-  const bool subtracts = combination.operation == Solid::Operation::subtract;
+  const bool subtracts = combination.operation == CsgSolid::Operation::subtract;
   std::vector<Frame> frames{{combination.operands, 0, subtracts, map, inherited_binding, true, 0}};
   while (!frames.empty()) visit(solid, frames);
-  for (Solid::Node& node : solid.nodes_) add_index(solid, node);
+  for (CsgSolid::Node& node : solid.nodes_) add_index(solid, node);
   return solid;
 }
 
 // One step: the next operand of the innermost frame. There is no recursion, because solids may nest deep.
-void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
+void CsgBuilder::visit(CsgSolid& solid, std::vector<Frame>& frames) {
   Frame& frame = frames.back();
   const auto position = static_cast<std::uint32_t>(frame.next++);
   // Where there is nothing to subtract from, nothing is left.
@@ -68,7 +68,7 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
   inner.casts_shadow = frame.casts_shadow && object.casts_shadow;
   inner.binding = bindings_.of(object, inner.map, frame.binding);
   if (object.material != scene::no_material) add_medium(solid, inner.binding);
-  Solid::Operation operation = Solid::Operation::unite;
+  CsgSolid::Operation operation = CsgSolid::Operation::unite;
   if (is_group) {
     inner.objects = scene_.shapes.get<scene::Group>(object.shape).members;
   } else {
@@ -76,9 +76,9 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
     inner.objects = combination.operands;
     operation = combination.operation;
   }
-  Solid::Node& node = solid.nodes_[frame.node];
+  CsgSolid::Node& node = solid.nodes_[frame.node];
   const bool is_first = frame.is_subtraction && position == 0;
-  inner.is_subtraction = operation == Solid::Operation::subtract;
+  inner.is_subtraction = operation == CsgSolid::Operation::subtract;
   if (!dissolves(node.operation, operation, is_first)) {
     inner.node = static_cast<std::uint32_t>(solid.nodes_.size());
     node.children.push_back({inner.node, true});
@@ -88,13 +88,13 @@ void SolidBuilder::visit(Solid& solid, std::vector<Frame>& frames) {
 }
 
 // Candidates after the first that is certain do not matter.
-void SolidBuilder::add_medium(Solid& solid, BindingId binding) const {
+void CsgBuilder::add_medium(CsgSolid& solid, BindingId binding) const {
   auto& media = solid.media_;
   if (binding != inherited_binding && !bindings_.uses_ior(binding)) return;
   if (media.empty() || (media.back() == inherited_binding && binding != inherited_binding)) media.push_back(binding);
 }
 
-void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
+void CsgBuilder::add_operand(CsgSolid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
   const Affine map = frame.map * to_parent(scene_, object);
   const BindingId binding = bindings_.of(object, map, frame.binding);
   add_medium(solid, binding);
@@ -119,11 +119,11 @@ void SolidBuilder::add_operand(Solid& solid, const Frame& frame, const scene::Ob
   });
 }
 
-void SolidBuilder::add_index(Solid& solid, Solid::Node& node) {
-  const bool subtracts = node.operation == Solid::Operation::subtract;
+void CsgBuilder::add_index(CsgSolid& solid, CsgSolid::Node& node) {
+  const bool subtracts = node.operation == CsgSolid::Operation::subtract;
   const std::size_t first = subtracts ? 1 : 0;
-  if (node.operation == Solid::Operation::intersect || node.children.size() < first + least_for_index) return;
-  auto index = std::make_unique<Solid::Index>();
+  if (node.operation == CsgSolid::Operation::intersect || node.children.size() < first + least_for_index) return;
+  auto index = std::make_unique<CsgSolid::Index>();
   Box3 all;
   for (std::size_t i = first; i < node.children.size(); ++i) {
     const Box3 box = solid.box_of(node.children[i], {});

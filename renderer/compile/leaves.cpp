@@ -16,7 +16,7 @@ Ray carried(const Leaf& leaf, const Ray& ray) {
 // The boundaries of a solid along a ray, for as long as this exists.
 class Boundaries {
 public:
-  Boundaries(const Solid& solid, const Ray& ray, TraceScratch& scratch)
+  Boundaries(const CsgSolid& solid, const Ray& ray, TraceScratch& scratch)
       : list_(scratch.boundaries), begin_(list_.size()) {
     solid.push_boundaries(ray, scratch);
   }
@@ -56,7 +56,7 @@ bool SolidLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
   std::uint32_t sequence = 0;
   for (const Boundary& b : Boundaries(*leaf.solid, ray, query.scratch)) {
     if (!query.interval.contains(b.t)) continue;
-    const Solid::Operand& operand = leaf.solid->operand(b.operand);
+    const CsgSolid::Operand& operand = leaf.solid->operand(b.operand);
     if (!operand.casts_shadow) continue;
     const bool inherits = operand.binding == inherited_binding;
     const BindingId binding = inherits ? query.resolved(tag.style_id()) : operand.binding;

@@ -108,7 +108,7 @@ private:
 class SolidLeaves {
 public:
   struct Leaf {
-    const Solid* solid;
+    const CsgSolid* solid;
     bool is_in_place; ///< the solid was made in the assembly's space, and the maps have no meaning
     bool owns_style;  ///< it writes a material itself
     Affine to_outer, to_local;

@@ -187,8 +187,8 @@ std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) c
   return hits;
 }
 
-std::vector<Interior> Traceable::around(const Vec3& p) const {
-  std::vector<Interior> found;
+std::vector<Medium> Traceable::around(const Vec3& p) const {
+  std::vector<Medium> found;
   if (!uses_ior()) return found;
   TraceScratch scratch;
   const MaterialBindings& bindings = compiled_.bindings();
@@ -198,7 +198,7 @@ std::vector<Interior> Traceable::around(const Vec3& p) const {
   query.inspects = true;
   query.around = &found;
   compiled_.root().blocks(query);
-  std::sort(found.begin(), found.end(), [](const Interior& a, const Interior& b) { return a.id < b.id; });
+  std::sort(found.begin(), found.end(), [](const Medium& a, const Medium& b) { return a.id < b.id; });
   return found;
 }
 

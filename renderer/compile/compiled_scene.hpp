@@ -70,7 +70,7 @@ public:
   bool casts_shadow(const RayHit& hit) const;
   /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
   /// An open cylinder or cone counts by the volume that its ends would close.
-  std::vector<Interior> around(const Vec3& p) const;
+  std::vector<Medium> around(const Vec3& p) const;
   /// Whether any material has an index of refraction that matters. Without one `around` is empty.
   bool uses_ior() const { return compiled_.bindings().uses_ior(); }
 

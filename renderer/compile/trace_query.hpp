@@ -103,7 +103,7 @@ struct InspectQuery : ShadowQuery {
   void add_around(std::uint32_t slot, double ior);
 
   std::vector<RayHit>* hits = nullptr;
-  std::vector<Interior>* around = nullptr;
+  std::vector<Medium>* around = nullptr;
 };
 
 } // namespace rt

@@ -40,8 +40,8 @@ struct NoRecorder {
   /// ρ, and what is in it of Fresnel's reflectance (1 where it is not asked for) at this cosine and ratio of indices.
   void reflection(const Color& /*rho*/, double /*reflectance*/, double /*cosine*/, double /*eta*/) {}
   /// τ, the solid that is entered or left, and the cosines before and behind the surface.
-  void refraction(const Color& /*tau*/, const Passage&, double /*cosine*/, double /*cosine_behind*/) {}
-  void total_reflection(const Passage&, double /*cosine*/) {}
+  void refraction(const Color& /*tau*/, const MediumTransition&, double /*cosine*/, double /*cosine_behind*/) {}
+  void total_reflection(const MediumTransition&, double /*cosine*/) {}
 };
 
 } // namespace rt

@@ -53,7 +53,7 @@ public:
       : scene_(scene), recorder_(recorder), stop_(stop) {}
 
   /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
-  Color radiance(const Ray& ray, const std::vector<Interior>& inside) {
+  Color radiance(const Ray& ray, const std::vector<Medium>& inside) {
     StaticVector<Path, 1> path;
     start(path, ray, inside);
     trace<1>(path, 0);
@@ -62,7 +62,7 @@ public:
 
   /// The same for rays that run close together, `accel::packet_size` at most: sooner, with the same results. Recorders
   /// hear of it as of one ray after the other.
-  void radiance(std::span<const Ray> rays, const std::vector<Interior>& inside, std::span<Color> results) {
+  void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) {
     if constexpr (is_recorded) {
       for (std::size_t i = 0; i < rays.size(); ++i) results[i] = radiance(rays[i], inside);
     } else {
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  using List = InteriorLists::List;
+  using List = MediumStacks::List;
 
   static constexpr bool is_recorded = !std::is_same_v<Recorder, NoRecorder>;
   static constexpr std::size_t group_size = accel::packet_size;
@@ -100,7 +100,7 @@ private:
     RayKind kind;
     Ray ray;
     List inside; // where the ray is
-    InteriorLists* interiors;
+    MediumStacks* media;
     std::uint32_t owned_from = 0; // lists from there on are this ray's own
     Color sum = black,
           passed = white; // what was gathered before surfaces that were crossed unbent, and what they let by
@@ -130,9 +130,9 @@ private:
   // Where the ray goes from there.
   struct Ways {
     const Meeting* meeting;
-    Interior interior;
+    Medium medium;
     Color rho = black, tau = black;
-    Passage passage{};
+    MediumTransition transition{};
     double eta = 1, cos_behind = 1;
     bool is_total = false, is_transparent = false, is_bent = false;
   };
@@ -145,10 +145,10 @@ private:
   };
 
   template <std::size_t Size>
-  void start(StaticVector<Path, Size>& paths, const Ray& ray, const std::vector<Interior>& inside) {
-    InteriorLists& interiors = interiors_[paths.size()];
-    interiors.release(0);
-    paths.add([&] { return Path{RayKind::camera, ray, interiors.make(inside), &interiors}; });
+  void start(StaticVector<Path, Size>& paths, const Ray& ray, const std::vector<Medium>& inside) {
+    MediumStacks& media = stacks_[paths.size()];
+    media.release(0);
+    paths.add([&] { return Path{RayKind::camera, ray, media.make(inside), &media}; });
   }
 
   // Gathers what comes in along the paths, which are of one depth.
@@ -156,14 +156,14 @@ private:
   void trace(std::span<Path> paths, int depth) {
     for (Path& path : paths) {
       recorder_.begin_ray(path.kind, path.ray, depth, path.weight);
-      path.owned_from = path.interiors->mark();
+      path.owned_from = path.media->mark();
     }
     if (depth > scene_.max_depth())
       for (std::size_t i = 0; i < paths.size(); ++i) recorder_.too_deep();
     else
       follow<Size>(paths, depth);
     for (Path& path : paths) {
-      path.interiors->release(path.owned_from);
+      path.media->release(path.owned_from);
       recorder_.end_ray(path.sum);
     }
   }
@@ -356,8 +356,8 @@ private:
     Ways& w = ways.add([&] { return Ways{&m, {m.surface.order, m.surface.ior}}; });
     w.is_transparent = v.refract > 0;
     if (w.is_transparent) {
-      w.passage = m.path->interiors->passage(m.path->inside, w.interior);
-      w.eta = ratio(w.passage, m.path->inside);
+      w.transition = m.path->media->transition(m.path->inside, w.medium);
+      w.eta = ratio(w.transition, m.path->inside);
       w.is_bent = std::abs(w.eta - 1) >= 1e-10;
       const double cos2_behind = w.is_bent ? cos2_refracted(m.cosine, w.eta) : 1;
       if (cos2_behind < 0) {
@@ -369,7 +369,7 @@ private:
       }
       w.cos_behind = std::sqrt(cos2_behind);
     }
-    if (v.reflect != black) w.rho = mirror_weight(m, w.interior);
+    if (v.reflect != black) w.rho = mirror_weight(m, w.medium);
     if (w.is_transparent) {
       w.tau = v.color * v.refract;
       if (v.fresnel) w.tau *= {std::min(1.0, 1 - w.rho.r), std::min(1.0, 1 - w.rho.g), std::min(1.0, 1 - w.rho.b)};
@@ -380,7 +380,7 @@ private:
   void mirror(const Ways& w, Branch<Size>& branch) {
     const Meeting& m = *w.meeting;
     ++counts_.reflected;
-    if (w.is_total) recorder_.total_reflection(w.passage, m.cosine);
+    if (w.is_total) recorder_.total_reflection(w.transition, m.cosine);
     add(branch, w.is_total ? RayKind::total_reflection : RayKind::reflected, w,
         reflect(m.path->ray.direction, m.normal), w.rho, m.path->inside);
   }
@@ -389,11 +389,11 @@ private:
   template <std::size_t Size>
   bool pass(const Ways& w, int depth, Branch<Size>& branch) {
     const Meeting& m = *w.meeting;
-    recorder_.refraction(w.tau, w.passage, m.cosine, w.is_bent ? w.cos_behind : m.cosine);
+    recorder_.refraction(w.tau, w.transition, m.cosine, w.is_bent ? w.cos_behind : m.cosine);
     if (w.tau == black) return false;
     ++counts_.refracted;
     Path& path = *m.path;
-    const List behind = path.interiors->after(path.inside, w.interior, path.owned_from);
+    const List behind = path.media->after(path.inside, w.medium, path.owned_from);
     if (w.is_bent) {
       add(branch, RayKind::refracted, w, refract(path.ray.direction, m.normal, w.eta, m.cosine, w.cos_behind), w.tau,
           behind);
@@ -416,23 +416,23 @@ private:
     const Path& from = *w.meeting->path;
     branch.from[branch.paths.size()] = &w;
     Path& path = branch.paths.add([&] {
-      return Path{kind, leaving(w.meeting->surface, direction), inside, from.interiors};
+      return Path{kind, leaving(w.meeting->surface, direction), inside, from.media};
     });
     if constexpr (is_recorded) path.weight = from.weight * from.passed * weight;
   }
 
   // POV-Ray divides the indices of two solids in 32 bits, and only with the void's in 64.
-  static double ratio(const Passage& passage, List inside) {
-    if constexpr (Tolerances::moves_origins) return passage.eta();
-    const bool has_void = inside.size == 0 || (passage.kind == Passage::Kind::leaving && inside.size == 1);
-    return has_void ? passage.eta() : static_cast<float>(passage.eta());
+  static double ratio(const MediumTransition& transition, List inside) {
+    if constexpr (Tolerances::moves_origins) return transition.eta();
+    const bool has_void = inside.size == 0 || (transition.kind == MediumTransition::Kind::leaving && inside.size == 1);
+    return has_void ? transition.eta() : static_cast<float>(transition.eta());
   }
 
-  Color mirror_weight(const Meeting& m, const Interior& interior) {
+  Color mirror_weight(const Meeting& m, const Medium& medium) {
     const MaterialValues& v = *m.values;
     double eta = 1, share = 1;
     if (v.fresnel) {
-      eta = m.path->interiors->fresnel_eta(m.path->inside, interior);
+      eta = m.path->media->fresnel_eta(m.path->inside, medium);
       share = fresnel_reflectance(m.cosine, eta);
     }
     const Color rho = v.reflect * metallic_tint(v.metallic, m.cosine, v.color) * share;
@@ -450,7 +450,7 @@ private:
   const Traceable& scene_;
   Recorder& recorder_;
   const std::atomic<bool>* stop_;
-  std::array<InteriorLists, group_size> interiors_; // by the place of the camera's ray in its group
+  std::array<MediumStacks, group_size> stacks_; // by the place of the camera's ray in its group
   std::array<TraceScratch, group_size> scratch_;
   std::array<MaterialValues, group_size> values_; // where they are not constant; they serve until rays branch
   RayCounts counts_;

@@ -22,7 +22,7 @@ std::vector<HitReport> Tracer::all_hits(const Ray& ray, const Interval& range) c
 
 Color Tracer::radiance(const Ray& ray, Tolerances tolerances) const {
   NoRecorder recorder;
-  const std::vector<Interior> around = traceable_.around(ray.origin);
+  const std::vector<Medium> around = traceable_.around(ray.origin);
   if (tolerances == Tolerances::own) return Whitted<>(traceable_, recorder).radiance(unit(ray), around);
   return Whitted<PovrayTolerances>(traceable_, recorder).radiance(unit(ray), around);
 }

@@ -212,7 +212,7 @@ private:
   PixelRect rect_;
   Film& film_;
   CameraRays camera_;
-  std::vector<Interior> around_eye_;
+  std::vector<Medium> around_eye_;
   int side_; // of the grid of samples in a pixel
   int columns_, rows_;
   std::atomic<int> next_tile_ = 0, finished_tiles_ = 0;

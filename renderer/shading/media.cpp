@@ -5,7 +5,7 @@
 
 namespace rt {
 
-InteriorLists::List InteriorLists::after(List list, const Interior& it, std::uint32_t owned_from) {
+MediumStacks::List MediumStacks::after(List list, const Medium& it, std::uint32_t owned_from) {
   const std::uint32_t gone = find(list, it.id);
   if (gone + 1 == list.size) return {list.begin, gone};
   if (list.begin < owned_from) {
@@ -23,7 +23,7 @@ InteriorLists::List InteriorLists::after(List list, const Interior& it, std::uin
   return {list.begin, list.size - 1};
 }
 
-double InteriorLists::fresnel_eta(List list, const Interior& it) const {
+double MediumStacks::fresnel_eta(List list, const Medium& it) const {
   if (list.size == 0) return it.ior;
   if (find(list, it.id) == list.size) return it.ior / top_ior(list);
   return (list.size == 1 ? 1 : top_ior(list)) / it.ior;

@@ -6,13 +6,13 @@
 namespace rt {
 
 /// The inside of a transparent solid.
-struct Interior {
+struct Medium {
   std::uint64_t id = 0; ///< the placed solid's, different for each instance
   double ior = 1;
 };
 
 /// What passing a surface does to the list of solids that a ray is inside of.
-struct Passage {
+struct MediumTransition {
   enum class Kind : std::uint8_t { entering, leaving, leaving_outer };
   Kind kind = Kind::entering;
   double ior_from = 1, ior_to = 1;
@@ -21,7 +21,7 @@ struct Passage {
 
 /// The lists of solids that the rays of one tree of rays are inside of, outermost first. Lists are handles into storage
 /// that grows with the tree and shrinks again with it, so that tracing does not allocate.
-class InteriorLists {
+class MediumStacks {
 public:
   struct List {
     std::uint32_t begin = 0, size = 0;
@@ -31,31 +31,31 @@ public:
   std::uint32_t mark() const { return static_cast<std::uint32_t>(storage_.size()); }
   void release(std::uint32_t mark) { storage_.resize(mark); }
 
-  const Interior* begin(List list) const { return storage_.data() + list.begin; }
-  const Interior* end(List list) const { return begin(list) + list.size; }
+  const Medium* begin(List list) const { return storage_.data() + list.begin; }
+  const Medium* end(List list) const { return begin(list) + list.size; }
   double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
 
-  List make(const std::vector<Interior>& interiors) {
-    const List list{mark(), static_cast<std::uint32_t>(interiors.size())};
-    if (!interiors.empty()) storage_.insert(storage_.end(), interiors.begin(), interiors.end());
+  List make(const std::vector<Medium>& media) {
+    const List list{mark(), static_cast<std::uint32_t>(media.size())};
+    if (!media.empty()) storage_.insert(storage_.end(), media.begin(), media.end());
     return list;
   }
 
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.
-  Passage passage(List list, const Interior& it) const {
+  MediumTransition transition(List list, const Medium& it) const {
     const std::uint32_t i = find(list, it.id);
-    if (i == list.size) return {Passage::Kind::entering, top_ior(list), it.ior};
-    if (i + 1 == list.size) return {Passage::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
-    return {Passage::Kind::leaving_outer, top_ior(list), top_ior(list)};
+    if (i == list.size) return {MediumTransition::Kind::entering, top_ior(list), it.ior};
+    if (i + 1 == list.size) return {MediumTransition::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
+    return {MediumTransition::Kind::leaving_outer, top_ior(list), top_ior(list)};
   }
   /// The list behind that surface. A list that begins at `owned_from` or later is changed where it is, and so is
   /// whatever was made after it; others are copied if need be.
-  List after(List list, const Interior& it, std::uint32_t owned_from);
+  List after(List list, const Medium& it, std::uint32_t owned_from);
 
   /// ior of the other side by that of this side, as Fresnel's equation is given it: what lies behind a solid in the
   /// list is the innermost one, or nothing if it is alone.
-  double fresnel_eta(List list, const Interior& it) const;
+  double fresnel_eta(List list, const Medium& it) const;
 
 private:
   // Its place; list.size where it is not.
@@ -65,7 +65,7 @@ private:
     return i;
   }
 
-  std::vector<Interior> storage_;
+  std::vector<Medium> storage_;
 };
 
 } // namespace rt

@@ -27,7 +27,7 @@ public:
   }
 
 private:
-  static Color passed_behind(const SurfaceNode& s) { return s.passage ? s.passed * s.passage->tau : s.passed; }
+  static Color passed_behind(const SurfaceNode& s) { return s.transition ? s.passed * s.transition->tau : s.passed; }
 
   void surface(const SurfaceNode& s, const Color& ray_weight) {
     const Color weight = ray_weight * s.passed;
@@ -39,7 +39,7 @@ private:
     }
     using enum WayStep::How;
     if (s.mirror) branch(s, s.mirror->ray.get(), weight * s.mirror->rho, mirrored);
-    if (s.passage) branch(s, s.passage->ray.get(), weight * s.passage->tau, refracted);
+    if (s.transition) branch(s, s.transition->ray.get(), weight * s.transition->tau, refracted);
     if (s.total_reflection) branch(s, s.total_reflection->ray.get(), weight, totally_reflected);
   }
 

@@ -70,10 +70,10 @@ public:
     if (is_told()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, nullptr};
   }
 
-  void refraction(const Color& tau, const Passage& passage, double cosine, double cosine_behind) {
+  void refraction(const Color& tau, const MediumTransition& transition, double cosine, double cosine_behind) {
     if (!is_told()) return;
     SurfaceNode& s = last();
-    s.passage = PassageNode{tau, passage, cosine, cosine_behind, nullptr};
+    s.transition = PassageNode{tau, transition, cosine, cosine_behind, nullptr};
     // Needed only if the ray goes on unbent: it leaves the surface as a shadow ray in its direction would.
     Incidence onward{};
     onward.to_light = s.ray.direction;
@@ -81,8 +81,8 @@ public:
     passed_.back() = s.passed * tau;
   }
 
-  void total_reflection(const Passage& passage, double cosine) {
-    if (is_told()) last().total_reflection = TotalReflectionNode{passage, cosine, nullptr};
+  void total_reflection(const MediumTransition& transition, double cosine) {
+    if (is_told()) last().total_reflection = TotalReflectionNode{transition, cosine, nullptr};
   }
 
   std::unique_ptr<RayNode> root;
@@ -102,7 +102,7 @@ private:
     }
     if (!is_told()) return nullptr;
     SurfaceNode& s = last();
-    (s.total_reflection ? s.total_reflection->ray : s.passage ? s.passage->ray : s.mirror->ray) = std::move(node);
+    (s.total_reflection ? s.total_reflection->ray : s.transition ? s.transition->ray : s.mirror->ray) = std::move(node);
     return added;
   }
 

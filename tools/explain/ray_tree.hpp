@@ -37,14 +37,14 @@ struct MirrorNode {
 /// The refracted branch.
 struct PassageNode {
   Color tau;
-  Passage passage;
+  MediumTransition transition;
   double cosine = 0, cosine_behind = 0; ///< of the angles with the normal, before and behind the surface
   std::unique_ptr<RayNode> ray; ///< none where τ is black, or the ray goes on unbent: then the next surface is its own
 };
 
 /// What takes the place of both on total internal reflection.
 struct TotalReflectionNode {
-  Passage passage; ///< that did not take place
+  MediumTransition transition; ///< that did not take place
   double cosine = 0;
   std::unique_ptr<RayNode> ray;
 };
@@ -61,7 +61,7 @@ struct SurfaceNode {
   Color ambient, emission;
   std::vector<LampNode> lamps;
   std::optional<MirrorNode> mirror;
-  std::optional<PassageNode> passage;
+  std::optional<PassageNode> transition;
   std::optional<TotalReflectionNode> total_reflection;
 
   /// Its own light and the lamps'.

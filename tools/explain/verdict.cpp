@@ -140,14 +140,14 @@ private:
   std::string of(const RayNode& ray, std::size_t i, const SurfaceNode& s) const {
     const double body = 1 - s.material.refract;
     const double mirror = s.mirror ? max_component(s.mirror->rho) : 0;
-    const double through = s.passage ? s.material.refract : 0;
+    const double through = s.transition ? s.material.refract : 0;
     const std::string title = surfaces_.title(s);
     if (s.total_reflection) return deeper(*s.total_reflection->ray, fmt::format("{} reflects the ray totally", title));
     if (through > body && through >= mirror) {
       if (s.material.color == black) return fmt::format("{} lets nothing through: its color is black", title);
-      if (max_component(s.passage->tau) < dark_below)
-        return fmt::format("{} lets through only {}", title, percent_text(max_component(s.passage->tau)));
-      if (s.passage->ray) return deeper(*s.passage->ray, fmt::format("it is seen through {}", title));
+      if (max_component(s.transition->tau) < dark_below)
+        return fmt::format("{} lets through only {}", title, percent_text(max_component(s.transition->tau)));
+      if (s.transition->ray) return deeper(*s.transition->ray, fmt::format("it is seen through {}", title));
       return chained(fmt::format("it is seen through {}", title), of(ray, i + 1));
     }
     if (mirror > 0.5 * body && s.mirror->ray) return deeper(*s.mirror->ray, fmt::format("{} mirrors", title));

@@ -83,11 +83,13 @@ json combination_json(const scene::Scene& scene, const CombinationStretches& c) 
           {"inside", stretches_json(c.inside)}};
 }
 
-std::string_view name_of(Passage::Kind kind) {
-  return kind == Passage::Kind::entering ? "entering" : kind == Passage::Kind::leaving ? "leaving" : "leaving_outer";
+std::string_view name_of(MediumTransition::Kind kind) {
+  return kind == MediumTransition::Kind::entering  ? "entering"
+         : kind == MediumTransition::Kind::leaving ? "leaving"
+                                                   : "leaving_outer";
 }
 
-json passage_json(const Passage& p) {
+json passage_json(const MediumTransition& p) {
   return {{"kind", name_of(p.kind)}, {"ior_from", p.ior_from}, {"ior_to", p.ior_to}};
 }
 
@@ -131,9 +133,9 @@ private:
     for (const LampNode& node : s.lamps) lights.push_back(lamp(node));
     j["lights"] = std::move(lights);
     if (s.mirror) j["mirror"] = mirror(*s.mirror);
-    if (s.passage) j["passage"] = passage(*s.passage);
+    if (s.transition) j["passage"] = transition(*s.transition);
     if (s.total_reflection)
-      j["total_reflection"] = {{"passage", passage_json(s.total_reflection->passage)},
+      j["total_reflection"] = {{"passage", passage_json(s.total_reflection->transition)},
                                {"angle", degrees(s.total_reflection->cosine)},
                                {"ray", ray(*s.total_reflection->ray)}};
     return j;
@@ -169,9 +171,9 @@ private:
     return j;
   }
 
-  json passage(const PassageNode& node) const {
+  json transition(const PassageNode& node) const {
     json j{{"weight", to_json(node.tau)},
-           {"passage", passage_json(node.passage)},
+           {"passage", passage_json(node.transition)},
            {"angle", degrees(node.cosine)},
            {"angle_behind", degrees(node.cosine_behind)}};
     if (node.ray) j["ray"] = ray(*node.ray);

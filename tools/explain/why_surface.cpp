@@ -248,14 +248,14 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
 namespace {
 
 // Which solid is entered or left, and the indices.
-std::string passage_text(const Answer& answer, const SurfaceNode& s, const Passage& p) {
+std::string passage_text(const Answer& answer, const SurfaceNode& s, const MediumTransition& p) {
   const std::string title = answer.namer.title(s.path);
   switch (p.kind) {
-  case Passage::Kind::entering:
+  case MediumTransition::Kind::entering:
     return fmt::format("enters {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
-  case Passage::Kind::leaving:
+  case MediumTransition::Kind::leaving:
     return fmt::format("leaves {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
-  case Passage::Kind::leaving_outer:
+  case MediumTransition::Kind::leaving_outer:
     return fmt::format("leaves {} while still inside of what was entered later, ior {} stays", title,
                        number_text(p.ior_from));
   }
@@ -269,10 +269,10 @@ double sine(double cosine) {
 } // namespace
 
 void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
-  const PassageNode& p = *s.passage;
-  const double eta = p.passage.eta();
+  const PassageNode& p = *s.transition;
+  const double eta = p.transition.eta();
   const bool is_bent = std::abs(eta - 1) >= 1e-10;
-  page.line(indent, fmt::format("{}: weight τ = refract·c{} = {}", passage_text(answer, s, p.passage),
+  page.line(indent, fmt::format("{}: weight τ = refract·c{} = {}", passage_text(answer, s, p.transition),
                                 s.material.fresnel ? "·min(1, 1 − ρ)" : "", color_text(p.tau)));
   if (is_bent) {
     page.line(indent + 2, fmt::format("Snell: sin θ₂ = (n₁/n₂)·sin θ₁ = {}·{} = {}: {} becomes {}", number_text(eta),
@@ -289,11 +289,11 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
 
 void write_total_reflection(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   const TotalReflectionNode& t = *s.total_reflection;
-  const double eta = t.passage.eta();
-  page.line(indent,
-            fmt::format("total internal reflection in {}, ior {} to {}: sin θ₂ would be {}·{} = {} > 1",
-                        answer.namer.title(s.path), number_text(t.passage.ior_from), number_text(t.passage.ior_to),
-                        number_text(eta), number_text(sine(t.cosine)), number_text(eta * sine(t.cosine))));
+  const double eta = t.transition.eta();
+  page.line(indent, fmt::format("total internal reflection in {}, ior {} to {}: sin θ₂ would be {}·{} = {} > 1",
+                                answer.namer.title(s.path), number_text(t.transition.ior_from),
+                                number_text(t.transition.ior_to), number_text(eta), number_text(sine(t.cosine)),
+                                number_text(eta * sine(t.cosine))));
   page.line(indent + 2,
             fmt::format(
                 "{} is beyond the critical angle of {}; one mirrored ray of weight 1 takes the place of both branches",

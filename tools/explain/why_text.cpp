@@ -52,9 +52,9 @@ private:
       write_mirror(answer_, s, page_, indent);
       if (s.mirror->ray) ray(*s.mirror->ray, indent);
     }
-    if (s.passage) {
+    if (s.transition) {
       write_passage(answer_, s, page_, indent);
-      if (s.passage->ray) ray(*s.passage->ray, indent);
+      if (s.transition->ray) ray(*s.transition->ray, indent);
     }
   }
 
@@ -81,11 +81,12 @@ private:
       add("shading", s.passed * s.shading());
       if (s.total_reflection) add("total reflection", s.passed * s.total_reflection->ray->radiance);
       if (s.mirror && s.mirror->ray) add("mirrored", s.passed * s.mirror->rho * s.mirror->ray->radiance);
-      if (s.passage && s.passage->ray) add("refracted", s.passed * s.passage->tau * s.passage->ray->radiance);
+      if (s.transition && s.transition->ray)
+        add("refracted", s.passed * s.transition->tau * s.transition->ray->radiance);
     }
     if (node.end == RayNode::End::background) {
       const SurfaceNode& last = node.surfaces.back();
-      add("background", last.passed * last.passage->tau * node.background);
+      add("background", last.passed * last.transition->tau * node.background);
     }
     const std::string_view name = node.kind == RayKind::camera ? "the ray" : "this ray";
     if (parts > 1)

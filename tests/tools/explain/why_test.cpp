@@ -256,10 +256,10 @@ TEST_CASE("why: refraction has Snell's angles, and total internal reflection the
   const std::string glass =
       "ambient: 0.1\nbox { from: [-9, -9, -9], to: [9, 0, 9], material: material { refract: 0.9, ior: 1.5 } }\n";
   const auto in = along(glass, {-1, 1, 0}, {1, -1, 0});
-  const json passage = surface_of(*in)["passage"];
-  CHECK(passage["passage"]["kind"] == "entering");
-  CHECK(passage["angle"].get<double>() == Approx(45));
-  CHECK(passage["angle_behind"].get<double>() == Approx(28.1255057));
+  const json transition = surface_of(*in)["passage"];
+  CHECK(transition["passage"]["kind"] == "entering");
+  CHECK(transition["angle"].get<double>() == Approx(45));
+  CHECK(transition["angle_behind"].get<double>() == Approx(28.1255057));
   CHECK(contains(text_of(*in), "45.00° becomes 28.13°"));
   const auto out = along(glass, {-1, -1, 0}, {1, 1, 0});
   CHECK(contains(text_of(*out), "45.00° is beyond the critical angle of 41.81°"));

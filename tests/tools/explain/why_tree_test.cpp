@@ -35,7 +35,7 @@ void for_each_surface(const ask::RayNode& node, F&& f) {
   for (const ask::SurfaceNode& s : node.surfaces) {
     f(s);
     if (s.mirror && s.mirror->ray) for_each_surface(*s.mirror->ray, f);
-    if (s.passage && s.passage->ray) for_each_surface(*s.passage->ray, f);
+    if (s.transition && s.transition->ray) for_each_surface(*s.transition->ray, f);
     if (s.total_reflection) for_each_surface(*s.total_reflection->ray, f);
   }
 }
@@ -47,10 +47,10 @@ Color assembled(const ask::RayNode& node) {
     sum += s.passed * s.shading();
     if (s.total_reflection) sum += s.passed * s.total_reflection->ray->radiance;
     if (s.mirror && s.mirror->ray) sum += s.passed * s.mirror->rho * s.mirror->ray->radiance;
-    if (s.passage && s.passage->ray) sum += s.passed * s.passage->tau * s.passage->ray->radiance;
+    if (s.transition && s.transition->ray) sum += s.passed * s.transition->tau * s.transition->ray->radiance;
   }
   if (node.end == ask::RayNode::End::background)
-    sum += (node.surfaces.empty() ? white : node.surfaces.back().passed * node.surfaces.back().passage->tau) *
+    sum += (node.surfaces.empty() ? white : node.surfaces.back().passed * node.surfaces.back().transition->tau) *
            node.background;
   return sum;
 }

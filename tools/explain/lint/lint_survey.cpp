@@ -170,7 +170,7 @@ void merge(Survey& all, const Survey& part) {
 
 class Surveyor {
 public:
-  Surveyor(const LintContext& context, std::vector<Interior> inside, bool has_one_eye)
+  Surveyor(const LintContext& context, std::vector<Medium> inside, bool has_one_eye)
       : context_(context), inside_(std::move(inside)), has_one_eye_(has_one_eye) {}
 
   void trace_row(int row, int columns, int rows, Survey& survey) const {
@@ -196,7 +196,7 @@ public:
 
 private:
   const LintContext& context_;
-  std::vector<Interior> inside_;
+  std::vector<Medium> inside_;
   bool has_one_eye_;
 };
 

@@ -16,8 +16,8 @@ bool NearestQuery::offer(const Hit& hit, std::uint32_t slot, std::uint32_t index
   return true;
 }
 
-void ShadowQuery::add_filter(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance) {
-  scratch.filters.push_back({t, base + aggregate.order(slot), sequence, transmittance});
+void ShadowQuery::add_attenuation(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance) {
+  scratch.attenuations.push_back({t, base + aggregate.order(slot), sequence, transmittance});
 }
 
 void InspectQuery::add_hit(const Boundary& hit, std::uint32_t index, const LeafKind& kind, const void* leaves) {

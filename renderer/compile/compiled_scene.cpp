@@ -70,13 +70,13 @@ Vec3 smooth_normal(const Smoothness& s, const Vec3& geometric_normal) {
 }
 
 // What filters leave of light. They were found in no particular order, and products depend on it by their rounding.
-Color through(std::vector<Filter>& filters) {
-  if (filters.empty()) return white;
-  std::sort(filters.begin(), filters.end(), [](const Filter& a, const Filter& b) {
+Color through(std::vector<ShadowAttenuation>& attenuations) {
+  if (attenuations.empty()) return white;
+  std::sort(attenuations.begin(), attenuations.end(), [](const ShadowAttenuation& a, const ShadowAttenuation& b) {
     return std::tie(a.t, a.order, a.sequence) < std::tie(b.t, b.order, b.sequence);
   });
   Color left = white;
-  for (const Filter& filter : filters) left *= filter.transmittance;
+  for (const ShadowAttenuation& filter : attenuations) left *= filter.transmittance;
   return left;
 }
 
@@ -102,10 +102,10 @@ RayHit Traceable::nearest(const Ray& ray, const Interval& range, TraceScratch& s
 }
 
 Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
-  scratch.filters.clear();
+  scratch.attenuations.clear();
   ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.bindings(),
                     {compiled_.bindings().default_binding(), &ray}, scratch);
-  return compiled_.root().blocks(query) ? black : through(scratch.filters);
+  return compiled_.root().blocks(query) ? black : through(scratch.attenuations);
 }
 
 void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
@@ -124,7 +124,7 @@ void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceSc
   std::array<accel::Query*, accel::packet_size> packet;
   const BindingId binding = compiled_.bindings().default_binding();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    scratch[i].filters.clear();
+    scratch[i].attenuations.clear();
     packet[i] = &queries.add([&] {
       return ShadowQuery(rays[i].ray, rays[i].range, compiled_.root(), 0, compiled_.bindings(), {binding, &rays[i].ray},
                          scratch[i]);
@@ -132,7 +132,7 @@ void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceSc
   }
   const auto blocked = compiled_.root().blocks(std::span(packet).first(rays.size()));
   for (std::size_t i = 0; i < rays.size(); ++i)
-    *rays[i].transmittance = blocked[i] ? black : through(scratch[i].filters);
+    *rays[i].transmittance = blocked[i] ? black : through(scratch[i].attenuations);
 }
 
 bool Traceable::casts_shadow(const RayHit& hit) const {

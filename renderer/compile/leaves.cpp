@@ -61,9 +61,9 @@ bool SolidLeaves::blocks(std::uint32_t i, ShadowQuery& query) const {
     const bool inherits = operand.binding == inherited_binding;
     const BindingId binding = inherits ? query.resolved(tag.style_id()) : operand.binding;
     if (query.bindings.is_opaque(binding)) return true;
-    query.add_filter(b.t, tag.slot, sequence++,
-                     inherits ? query.transmittance(tag.style_id(), b.t)
-                              : query.bindings.transmittance(binding, ray.at(b.t)));
+    query.add_attenuation(b.t, tag.slot, sequence++,
+                          inherits ? query.transmittance(tag.style_id(), b.t)
+                                   : query.bindings.transmittance(binding, ray.at(b.t)));
   }
   return false;
 }

@@ -84,7 +84,7 @@ public:
       return intersect(p.shape, p.carried(query.ray), query.interval, hit);
     std::uint32_t sequence = 0;
     for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
-      query.add_filter(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
+      query.add_attenuation(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
     return false;
   }
 

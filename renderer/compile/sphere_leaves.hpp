@@ -46,8 +46,8 @@ public:
       const bool has_near = query.interval.contains(near), has_far = far > near && query.interval.contains(far);
       if (!has_near && !has_far) continue;
       if (query.bindings.is_opaque(query.resolved(tag.style_id()))) return true;
-      if (has_near) query.add_filter(near, tag.slot, 0, query.transmittance(tag.style_id(), near));
-      if (has_far) query.add_filter(far, tag.slot, has_near, query.transmittance(tag.style_id(), far));
+      if (has_near) query.add_attenuation(near, tag.slot, 0, query.transmittance(tag.style_id(), near));
+      if (has_far) query.add_attenuation(far, tag.slot, has_near, query.transmittance(tag.style_id(), far));
     }
     return false;
   }

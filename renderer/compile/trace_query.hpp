@@ -39,7 +39,7 @@ struct Boundary {
 };
 
 /// A transparent surface on a shadow ray's way.
-struct Filter {
+struct ShadowAttenuation {
   double t;
   std::uint64_t order; ///< of the object; then of the surface within it
   std::uint32_t sequence;
@@ -50,7 +50,7 @@ struct Filter {
 struct TraceScratch {
   std::vector<Boundary> boundaries; ///< used as a stack
   std::vector<std::uint32_t> operands;
-  std::vector<Filter> filters;
+  std::vector<ShadowAttenuation> attenuations;
 };
 
 /// Looks for the nearest hit.
@@ -85,7 +85,7 @@ struct ShadowQuery : accel::Query {
     return binding == inherited_binding ? bindings.transmittance(inherited.binding, inherited.ray->at(t))
                                         : bindings.transmittance(binding, ray.at(t));
   }
-  void add_filter(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance);
+  void add_attenuation(double t, std::uint32_t slot, std::uint32_t sequence, const Color& transmittance);
 
   const Aggregate& aggregate;
   std::uint64_t base;

@@ -82,34 +82,34 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 } // namespace
 
-Traceable::Traceable(const scene::Scene& scene, int threads) : Traceable(scene, Compiled(scene, threads)) {}
+CompiledScene::CompiledScene(const scene::Scene& scene, int threads) : CompiledScene(scene, Compiled(scene, threads)) {}
 
-Traceable::Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
-    : Traceable(scene, Compiled(scene, parts, cache)) {}
+CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
+    : CompiledScene(scene, Compiled(scene, parts, cache)) {}
 
-Traceable::Traceable(const scene::Scene& scene, Compiled compiled)
+CompiledScene::CompiledScene(const scene::Scene& scene, Compiled compiled)
     : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient),
       max_depth_(scene.max_depth) {
   lamps_.reserve(scene.lights.size());
   for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
 }
 
-RayHit Traceable::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+RayHit CompiledScene::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   RayHit hit;
   NearestQuery query(ray, range, compiled_.root(), 0, hit, scratch);
   compiled_.root().nearest(query);
   return hit;
 }
 
-Color Traceable::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+Color CompiledScene::transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   scratch.attenuations.clear();
   ShadowQuery query(ray, range, compiled_.root(), 0, compiled_.bindings(),
                     {compiled_.bindings().default_binding(), &ray}, scratch);
   return compiled_.root().blocks(query) ? black : through(scratch.attenuations);
 }
 
-void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
-                        TraceScratch& scratch) const {
+void CompiledScene::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
+                            TraceScratch& scratch) const {
   StaticVector<NearestQuery, accel::packet_size> queries;
   std::array<accel::Query*, accel::packet_size> packet;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -119,7 +119,7 @@ void Traceable::nearest(std::span<const Ray> rays, const Interval& range, std::s
   compiled_.root().nearest(std::span(packet).first(rays.size()));
 }
 
-void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
+void CompiledScene::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
   StaticVector<ShadowQuery, accel::packet_size> queries;
   std::array<accel::Query*, accel::packet_size> packet;
   const BindingId binding = compiled_.bindings().default_binding();
@@ -135,7 +135,7 @@ void Traceable::transmittance(std::span<const ShadowRay> rays, std::span<TraceSc
     *rays[i].transmittance = blocked[i] ? black : through(scratch[i].attenuations);
 }
 
-bool Traceable::casts_shadow(const RayHit& hit) const {
+bool CompiledScene::casts_shadow(const RayHit& hit) const {
   const Aggregate* aggregate = &compiled_.root();
   for (std::uint64_t first = 0; aggregate != hit.aggregate;) {
     std::uint32_t slot = 0;
@@ -149,7 +149,7 @@ bool Traceable::casts_shadow(const RayHit& hit) const {
   return static_cast<const SolidLeaves*>(hit.leaves)->leaf(hit.index).solid->operand(hit.operand).casts_shadow;
 }
 
-Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) const {
+Color CompiledScene::transmittance_by_steps(const Ray& ray, double end, double gap) const {
   Color left = white;
   double last = 0;
   for (const RayHit& hit : all_hits(ray, {gap, end})) {
@@ -164,7 +164,7 @@ Color Traceable::transmittance_by_steps(const Ray& ray, double end, double gap) 
   return left;
 }
 
-Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
+Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
   const MaterialBindings& bindings = compiled_.bindings();
   const Resolved r = resolve(compiled_.root(), bindings, ray, hit, 0);
   const Vec3& normal = r.leaf.point.normal;
@@ -173,7 +173,7 @@ Surface Traceable::surface(const Ray& ray, const RayHit& hit) const {
           r.leaf.pattern_point,  r.ior.value_or(1)};
 }
 
-std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) const {
+std::vector<RayHit> CompiledScene::all_hits(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;
   std::vector<RayHit> hits;
   const MaterialBindings& bindings = compiled_.bindings();
@@ -187,7 +187,7 @@ std::vector<RayHit> Traceable::all_hits(const Ray& ray, const Interval& range) c
   return hits;
 }
 
-std::vector<Medium> Traceable::around(const Vec3& p) const {
+std::vector<Medium> CompiledScene::around(const Vec3& p) const {
   std::vector<Medium> found;
   if (!uses_ior()) return found;
   TraceScratch scratch;
@@ -202,7 +202,7 @@ std::vector<Medium> Traceable::around(const Vec3& p) const {
   return found;
 }
 
-std::vector<std::uint32_t> Traceable::path(const RayHit& hit) const {
+std::vector<std::uint32_t> CompiledScene::path(const RayHit& hit) const {
   std::vector<std::uint32_t> path;
   const Aggregate* aggregate = &compiled_.root();
   std::uint32_t part_begin = 0;

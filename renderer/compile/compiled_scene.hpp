@@ -33,13 +33,13 @@ struct Surface {
 };
 
 /// A scene made ready for tracing: immutable, shared by all threads.
-class Traceable {
+class CompiledScene {
 public:
   /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
   /// std::runtime_error when the acceleration structure cannot be built.
-  Traceable(const scene::Scene& scene, int threads);
+  CompiledScene(const scene::Scene& scene, int threads);
   /// The same with parts of the scene's list that may be in the cache from an earlier compilation.
-  Traceable(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
+  CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
   /// The nearest hit in `range`; with equal distances, on the object that was declared first. Without one, the result
   /// is false.
@@ -84,7 +84,7 @@ public:
   int max_depth() const { return max_depth_; }
 
 private:
-  Traceable(const scene::Scene& scene, Compiled compiled);
+  CompiledScene(const scene::Scene& scene, Compiled compiled);
 
   Compiled compiled_;
   std::vector<Lamp> lamps_;

@@ -49,10 +49,11 @@ template <class Tolerances = OwnTolerances, class Recorder = NoRecorder>
 class Whitted {
 public:
   /// All must outlive the integrator. Once `stop` is set, every ray ends at once, and results mean nothing any more.
-  Whitted(const Traceable& scene, Recorder& recorder, const std::atomic<bool>* stop = nullptr)
+  Whitted(const CompiledScene& scene, Recorder& recorder, const std::atomic<bool>* stop = nullptr)
       : scene_(scene), recorder_(recorder), stop_(stop) {}
 
-  /// The light that comes in along `ray` (unit direction), which starts inside of these solids: `Traceable::around`.
+  /// The light that comes in along `ray` (unit direction), which starts inside of these solids:
+  /// `CompiledScene::around`.
   Color radiance(const Ray& ray, const std::vector<Medium>& inside) {
     StaticVector<Path, 1> path;
     start(path, ray, inside);
@@ -76,7 +77,7 @@ public:
   const RayCounts& counts() const { return counts_; }
 
   /// The ray that looks for what blocks a lamp, and the part of it in which something does: what a recorder needs to
-  /// ask the scene which object it is (`Traceable::all_hits`).
+  /// ask the scene which object it is (`CompiledScene::all_hits`).
   static Ray shadow_ray(const Surface& surface, const Incidence& incidence) {
     return leaving(surface, incidence.to_light);
   }
@@ -447,7 +448,7 @@ private:
     return {surface.point + surface.geometric_normal * side, direction};
   }
 
-  const Traceable& scene_;
+  const CompiledScene& scene_;
   Recorder& recorder_;
   const std::atomic<bool>* stop_;
   std::array<MediumStacks, group_size> stacks_; // by the place of the camera's ray in its group

@@ -4,37 +4,37 @@
 
 namespace rt {
 
-Tracer::Tracer(const scene::Scene& scene, int threads)
-    : traceable_(scene, threads), camera_(scene.camera, scene.size) {}
+RayQuery::RayQuery(const scene::Scene& scene, int threads)
+    : scene_(scene, threads), camera_(scene.camera, scene.size) {}
 
-std::optional<HitReport> Tracer::nearest(const Ray& ray, const Interval& range) const {
+std::optional<HitReport> RayQuery::nearest(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;
-  const RayHit hit = traceable_.nearest(ray, range, scratch);
+  const RayHit hit = scene_.nearest(ray, range, scratch);
   if (!hit) return std::nullopt;
   return report(ray, hit);
 }
 
-std::vector<HitReport> Tracer::all_hits(const Ray& ray, const Interval& range) const {
+std::vector<HitReport> RayQuery::all_hits(const Ray& ray, const Interval& range) const {
   std::vector<HitReport> reports;
-  for (const RayHit& hit : traceable_.all_hits(ray, range)) reports.push_back(report(ray, hit));
+  for (const RayHit& hit : scene_.all_hits(ray, range)) reports.push_back(report(ray, hit));
   return reports;
 }
 
-Color Tracer::radiance(const Ray& ray, Tolerances tolerances) const {
+Color RayQuery::radiance(const Ray& ray, Tolerances tolerances) const {
   NoRecorder recorder;
-  const std::vector<Medium> around = traceable_.around(ray.origin);
-  if (tolerances == Tolerances::own) return Whitted<>(traceable_, recorder).radiance(unit(ray), around);
-  return Whitted<PovrayTolerances>(traceable_, recorder).radiance(unit(ray), around);
+  const std::vector<Medium> around = scene_.around(ray.origin);
+  if (tolerances == Tolerances::own) return Whitted<>(scene_, recorder).radiance(unit(ray), around);
+  return Whitted<PovrayTolerances>(scene_, recorder).radiance(unit(ray), around);
 }
 
-Ray Tracer::unit(const Ray& ray) {
+Ray RayQuery::unit(const Ray& ray) {
   const double squared = dot(ray.direction, ray.direction);
   if (std::abs(squared - 1) <= 1e-15) return ray;
   return {ray.origin, normalize(ray.direction)};
 }
 
-HitReport Tracer::report(const Ray& ray, const RayHit& hit) const {
-  const Surface s = traceable_.surface(ray, hit);
+HitReport RayQuery::report(const Ray& ray, const RayHit& hit) const {
+  const Surface s = scene_.surface(ray, hit);
   MaterialValues scratch;
   return {hit.t,
           hit.t * length(ray.direction),
@@ -43,8 +43,8 @@ HitReport Tracer::report(const Ray& ray, const RayHit& hit) const {
           s.shading_normal,
           dot(s.geometric_normal, ray.direction) < 0,
           s.order,
-          traceable_.path(hit),
-          traceable_.values(s, scratch),
+          scene_.path(hit),
+          scene_.values(s, scratch),
           s.ior};
 }
 

@@ -25,7 +25,7 @@ struct HitReport {
 
 /// A scene that was compiled once, for questions about single rays. It can be asked from several threads at a time.
 /// Whole pictures are `render`'s, which gives the same values.
-class Tracer {
+class RayQuery {
 public:
   /// Whose limits decide what is too near to be hit.
   enum class Tolerances {
@@ -35,7 +35,7 @@ public:
 
   /// `threads` to build with, 0: one for each core. The description need not outlive the tracer. Throws std::bad_alloc
   /// or std::runtime_error when the acceleration structure cannot be built.
-  explicit Tracer(const scene::Scene& scene, int threads = 0);
+  explicit RayQuery(const scene::Scene& scene, int threads = 0);
 
   /// The scene's camera: its rays through any point of the picture and for the samples of a pixel.
   const CameraRays& camera() const { return camera_; }
@@ -53,12 +53,12 @@ public:
   /// a camera's ray gives what the picture shows to the last bit.
   static Ray unit(const Ray& ray);
 
-  const Traceable& scene() const { return traceable_; }
+  const CompiledScene& scene() const { return scene_; }
 
 private:
   HitReport report(const Ray& ray, const RayHit& hit) const;
 
-  Traceable traceable_;
+  CompiledScene scene_;
   CameraRays camera_;
 };
 

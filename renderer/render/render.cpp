@@ -55,9 +55,9 @@ Xyz32 to_single(const Vec3& v) {
 // Everything the workers share. Each pixel is written by one of them, so the film needs no lock.
 class Job {
 public:
-  Job(const View& view, const Traceable& traceable, const RenderOptions& options, const PixelRect& rect, Film& film)
-      : traceable_(traceable), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
-        around_eye_(traceable.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
+  Job(const View& view, const CompiledScene& scene, const RenderOptions& options, const PixelRect& rect, Film& film)
+      : scene_(scene), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
+        around_eye_(scene.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
         columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
 
   /// What one thread does: takes tiles until none are left or it is told to stop.
@@ -93,7 +93,7 @@ public:
 private:
   class Worker {
   public:
-    explicit Worker(Job& job) : job_(job), whitted_(job.traceable_, recorder_, job.options_.stop) {}
+    explicit Worker(Job& job) : job_(job), whitted_(job.scene_, recorder_, job.options_.stop) {}
 
     void run() {
       while (!job_.is_stopped()) {
@@ -154,23 +154,23 @@ private:
 
     void trace_rays(std::span<const Ray> rays, std::span<Color> values) {
       camera_rays_ += rays.size();
-      if (job_.camera_.has_one_eye() || !job_.traceable_.uses_ior())
+      if (job_.camera_.has_one_eye() || !job_.scene_.uses_ior())
         return whitted_.radiance(rays, job_.around_eye_, values);
       for (std::size_t i = 0; i < rays.size(); ++i)
-        values[i] = whitted_.radiance(rays[i], job_.traceable_.around(rays[i].origin));
+        values[i] = whitted_.radiance(rays[i], job_.scene_.around(rays[i].origin));
     }
 
     void trace_layers(const Ray& ray, std::size_t index) {
-      const RayHit hit = job_.traceable_.nearest(ray, {}, scratch_);
+      const RayHit hit = job_.scene_.nearest(ray, {}, scratch_);
       if (!hit) return;
-      const Surface surface = job_.traceable_.surface(ray, hit);
+      const Surface surface = job_.scene_.surface(ray, hit);
       MaterialValues values;
       const Vec3 n = surface.shading_normal;
       job_.film_.depth[index] = hit.t;
       job_.film_.normal[index] = to_single(dot(n, ray.direction) > 0 ? -n : n);
       job_.film_.position[index] = to_single(surface.point);
       job_.film_.object_id[index] = static_cast<std::uint32_t>(surface.order + 1);
-      job_.film_.albedo[index] = to_single(job_.traceable_.values(surface, values).color);
+      job_.film_.albedo[index] = to_single(job_.scene_.values(surface, values).color);
     }
 
     static std::uint64_t total(const RayCounts& c) { return c.camera + c.shadow + c.reflected + c.refracted; }
@@ -207,7 +207,7 @@ private:
     lock.lock();
   }
 
-  const Traceable& traceable_;
+  const CompiledScene& scene_;
   const RenderOptions& options_;
   PixelRect rect_;
   Film& film_;
@@ -235,22 +235,22 @@ int thread_count(int wanted) {
 
 Rendered render(const scene::Scene& scene, const RenderOptions& options) {
   const Clock::time_point build_start = Clock::now();
-  const Traceable traceable(scene, thread_count(options.threads));
+  const CompiledScene compiled(scene, thread_count(options.threads));
   const double build_seconds = seconds_since(build_start);
-  Rendered result = render(traceable, {scene.camera, scene.size, scene.samples}, options);
+  Rendered result = render(compiled, {scene.camera, scene.size, scene.samples}, options);
   result.statistics.primitives = count_primitives(scene);
   result.statistics.build_seconds = build_seconds;
   return result;
 }
 
-Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options) {
+Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options) {
   Rendered result;
   RenderStatistics& statistics = result.statistics;
   statistics.threads = thread_count(options.threads);
   const Clock::time_point trace_start = Clock::now();
   const PixelRect rect = options.crop.value_or(PixelRect{0, 0, view.size[0], view.size[1]});
   result.film = make_film(rect, options.layers);
-  Job job(view, traceable, options, rect, result.film);
+  Job job(view, scene, options, rect, result.film);
   {
     std::vector<std::jthread> threads;
     for (int i = 0; i < statistics.threads; ++i) threads.emplace_back([&job] { job.work(); });

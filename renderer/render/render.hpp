@@ -42,7 +42,7 @@ struct Rendered {
 /// The whole way from description to picture. The same bytes for any number of threads.
 Rendered render(const scene::Scene& scene, const RenderOptions& options);
 
-class Traceable;
+class CompiledScene;
 
 /// How a scene that is compiled already is to be looked at.
 struct View {
@@ -51,6 +51,6 @@ struct View {
   int samples = 1; ///< a square number
 };
 /// The same for a scene that is compiled already; its primitives and the time to build are not counted.
-Rendered render(const Traceable& traceable, const View& view, const RenderOptions& options);
+Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options);
 
 } // namespace rt

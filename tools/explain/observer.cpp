@@ -10,12 +10,12 @@ namespace {
 
 class TracingObserver final : public lang::Observer {
 public:
-  explicit TracingObserver(const scene::Scene& scene) : scene_(scene), tracer_(scene) {}
+  explicit TracingObserver(const scene::Scene& scene) : scene_(scene), query_(scene) {}
 
-  Ray image_ray(double x, double y) const override { return tracer_.camera().ray(x, y); }
+  Ray image_ray(double x, double y) const override { return query_.camera().ray(x, y); }
 
   std::optional<lang::Sighting> nearest(const Ray& ray) const override {
-    const auto hit = tracer_.nearest(ray);
+    const auto hit = query_.nearest(ray);
     if (!hit) return std::nullopt;
     lang::Sighting seen{hit->t, hit->distance, hit->geometric_normal, {}, title(scene_, hit->path)};
     for (const scene::Object* object : objects_on(scene_, hit->path)) seen.objects.push_back(*object);
@@ -24,20 +24,20 @@ public:
 
   std::vector<double> crossings(const Ray& ray) const override {
     std::vector<double> t;
-    for (const HitReport& hit : tracer_.all_hits(ray)) t.push_back(hit.t);
+    for (const HitReport& hit : query_.all_hits(ray)) t.push_back(hit.t);
     return t;
   }
 
   Color pixel_color(int x, int y) const override {
     const int side = static_cast<int>(std::lround(std::sqrt(scene_.samples)));
     Color sum = black;
-    for (int i = 0; i < side * side; ++i) sum = sum + tracer_.radiance(tracer_.camera().ray(x, y, i, side));
+    for (int i = 0; i < side * side; ++i) sum = sum + query_.radiance(query_.camera().ray(x, y, i, side));
     return sum * (1.0 / (side * side));
   }
 
 private:
   const scene::Scene& scene_;
-  Tracer tracer_;
+  RayQuery query_;
 };
 
 } // namespace

@@ -84,10 +84,10 @@ std::string text_of(const Color& c) {
   return fmt::format("linear_rgb({:.9g}, {:.9g}, {:.9g})", c.r, c.g, c.b);
 }
 
-std::vector<HitReport> find_hits(const Tracer& tracer, const Ray& ray, bool all) {
-  if (all) return tracer.all_hits(ray);
+std::vector<HitReport> find_hits(const RayQuery& query, const Ray& ray, bool all) {
+  if (all) return query.all_hits(ray);
   std::vector<HitReport> hits;
-  if (auto hit = tracer.nearest(ray)) hits.push_back(std::move(*hit));
+  if (auto hit = query.nearest(ray)) hits.push_back(std::move(*hit));
   return hits;
 }
 

@@ -12,7 +12,7 @@ std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std
 nlohmann::ordered_json probe_json(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits);
 
 /// The nearest hit, or all.
-std::vector<HitReport> find_hits(const Tracer& tracer, const Ray& ray, bool all);
+std::vector<HitReport> find_hits(const RayQuery& query, const Ray& ray, bool all);
 
 /// A vector and a colour as they would be written in a scene, with the digits that tell them apart.
 std::string text_of(const Vec3& v);

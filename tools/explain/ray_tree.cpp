@@ -9,7 +9,7 @@ using Integrator = Whitted<>;
 
 class Recorder {
 public:
-  Recorder(const Traceable& scene, std::size_t most_surfaces) : scene_(scene), surfaces_left_(most_surfaces) {}
+  Recorder(const CompiledScene& scene, std::size_t most_surfaces) : scene_(scene), surfaces_left_(most_surfaces) {}
 
   void begin_ray(RayKind kind, const Ray& ray, int depth, const Color& weight) {
     RayNode* const node = add_ray();
@@ -119,7 +119,7 @@ private:
     return found;
   }
 
-  const Traceable& scene_;
+  const CompiledScene& scene_;
   std::size_t surfaces_left_;
   std::vector<RayNode*> open_;
   std::vector<Color> passed_; // of the open rays that have a node
@@ -134,10 +134,10 @@ Color SurfaceNode::shading() const {
   return sum;
 }
 
-std::unique_ptr<RayNode> record(const Tracer& tracer, const Ray& ray, std::size_t most_surfaces) {
-  Recorder recorder(tracer.scene(), most_surfaces);
-  Whitted<OwnTolerances, Recorder> integrator(tracer.scene(), recorder);
-  integrator.radiance(Tracer::unit(ray), tracer.scene().around(ray.origin));
+std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces) {
+  Recorder recorder(query.scene(), most_surfaces);
+  Whitted<OwnTolerances, Recorder> integrator(query.scene(), recorder);
+  integrator.radiance(RayQuery::unit(ray), query.scene().around(ray.origin));
   return std::move(recorder.root);
 }
 

@@ -89,6 +89,6 @@ struct RayNode {
 
 /// Traces the ray with the picture's integrator and listens. Rays beyond `most_surfaces` surfaces are not told in
 /// detail.
-std::unique_ptr<RayNode> record(const Tracer& tracer, const Ray& ray, std::size_t most_surfaces = 20'000);
+std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces = 20'000);
 
 } // namespace rt::tools::ask

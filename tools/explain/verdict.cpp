@@ -64,7 +64,7 @@ private:
 
   std::optional<Reason> keeps_off(const SurfaceNode& s, const LampNode& lamp) const {
     const LightRecord& r = lamp.record;
-    if (answer_.traceable.lamps()[r.lamp].color == black) return Reason{"no light comes from ", "", {}};
+    if (answer_.compiled.lamps()[r.lamp].color == black) return Reason{"no light comes from ", "", {}};
     if (r.incidence.distance == 0)
       return Reason{"", " stands in the very point that is seen and does not light it", {}};
     if (r.incidence.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
@@ -185,7 +185,7 @@ private:
   }
 
   std::string about_ambient(const SurfaceNode& s, const std::string& title) const {
-    if (answer_.traceable.ambient() == black) return "ambient is 0";
+    if (answer_.compiled.ambient() == black) return "ambient is 0";
     if (s.material.ambient == black) return fmt::format("the ambient of {} is 0", title);
     return "there is little ambient light";
   }

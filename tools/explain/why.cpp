@@ -10,21 +10,21 @@ namespace rt::tools::ask {
 namespace {
 
 // The picture's own way to a pixel: the mean over the grid of its samples.
-Color mean_of_samples(const Tracer& tracer, int x, int y, int side) {
+Color mean_of_samples(const RayQuery& query, int x, int y, int side) {
   Color sum = black;
-  for (int i = 0; i < side * side; ++i) sum += tracer.radiance(tracer.camera().ray(x, y, i, side));
+  for (int i = 0; i < side * side; ++i) sum += query.radiance(query.camera().ray(x, y, i, side));
   return sum * (1.0 / (side * side));
 }
 
 } // namespace
 
-Answer::Answer(const scene::Scene& described, std::string_view file_name, const Tracer& tracer,
+Answer::Answer(const scene::Scene& described, std::string_view file_name, const RayQuery& query,
                const Question& question)
-    : scene(described), traceable(tracer.scene()), file(file_name), namer(described, file_name),
-      ray(resolve(question, described, tracer.camera())), tree(record(tracer, ray.ray)), sum(take_apart(*tree)),
+    : scene(described), compiled(query.scene()), file(file_name), namer(described, file_name),
+      ray(resolve(question, described, query.camera())), tree(record(query, ray.ray)), sum(take_apart(*tree)),
       is_of_pixel(question.pixel.has_value()) {
   const int side = static_cast<int>(std::lround(std::sqrt(scene.samples)));
-  if (question.pixel && side > 1) pixel = mean_of_samples(tracer, (*question.pixel)[0], (*question.pixel)[1], side);
+  if (question.pixel && side > 1) pixel = mean_of_samples(query, (*question.pixel)[0], (*question.pixel)[1], side);
 }
 
 std::string shown(const Color& linear) {

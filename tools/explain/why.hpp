@@ -17,10 +17,10 @@ namespace rt::tools::ask {
 /// A question that has been traced.
 struct Answer {
   /// `file` is what the scene's own file is called in `scene.files`. Scene and tracer must outlive the answer.
-  Answer(const scene::Scene& scene, std::string_view file, const Tracer& tracer, const Question& question);
+  Answer(const scene::Scene& scene, std::string_view file, const RayQuery& query, const Question& question);
 
   const scene::Scene& scene;
-  const Traceable& traceable;
+  const CompiledScene& compiled;
   std::string_view file;
   Namer namer;
   NamedRay ray;

@@ -147,7 +147,7 @@ std::string where_text(const Lamp& lamp, const Incidence& incidence) {
 
 void write_lamp(const Answer& answer, const SurfaceNode& s, const LampNode& node, Page& page, int indent) {
   const LightRecord& r = node.record;
-  const Lamp& lamp = answer.traceable.lamps()[r.lamp];
+  const Lamp& lamp = answer.compiled.lamps()[r.lamp];
   const MaterialValues& m = s.material;
   const std::string name = fmt::format("{}: {}", answer.namer.lamp(r.lamp), where_text(lamp, r.incidence));
   if (lamp.kind != Lamp::Kind::sun && r.incidence.distance == 0)
@@ -185,7 +185,7 @@ void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int i
   const MaterialValues& m = s.material;
   page.line(indent, fmt::format("shading with {}", material_text(s)));
   page.line(indent + 2, fmt::format("ambient = a·c·{}·{} = {}", color_text(m.ambient),
-                                    color_text(answer.traceable.ambient()), color_text(s.ambient)));
+                                    color_text(answer.compiled.ambient()), color_text(s.ambient)));
   if (m.emission != black)
     page.line(indent + 2, fmt::format("emission = a·c·{} = {}", color_text(m.emission), color_text(s.emission)));
   for (const LampNode& lamp : s.lamps) write_lamp(answer, s, lamp, page, indent + 2);

@@ -92,8 +92,8 @@ private:
   std::string text_, rays_;
 };
 
-Answer ask(const Tracer& tracer, const Ray& ray) {
-  const auto hit = tracer.nearest(ray, {povray_nearest, povray_farthest});
+Answer ask(const RayQuery& query, const Ray& ray) {
+  const auto hit = query.nearest(ray, {povray_nearest, povray_farthest});
   if (!hit) return {};
   return {true, hit->t, against(hit->shading_normal, ray.direction)};
 }
@@ -103,13 +103,13 @@ double relative(const Answer& ours, const Answer& theirs) {
 }
 
 // Whether a ray 1e-9 beside this one finds what POV-Ray finds: the ray grazes something.
-bool is_at_an_edge(const Tracer& tracer, const Ray& ray, const Answer& theirs) {
+bool is_at_an_edge(const RayQuery& query, const Ray& ray, const Answer& theirs) {
   const Vec3 least = std::abs(ray.direction.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 u = normalize(cross(ray.direction, least)), v = cross(ray.direction, u);
   for (int i = 0; i < 8; ++i) {
     const double angle = i * (std::numbers::pi / 4);
     const Answer other =
-        ask(tracer, {ray.origin, normalize(ray.direction + (u * std::cos(angle) + v * std::sin(angle)) * near_by)});
+        ask(query, {ray.origin, normalize(ray.direction + (u * std::cos(angle) + v * std::sin(angle)) * near_by)});
     if (other.is_hit == theirs.is_hit && (!other.is_hit || relative(other, theirs) < 1e-6)) return true;
   }
   return false;
@@ -193,11 +193,11 @@ private:
 
   static std::string compare(const scene::Scene& scene, const std::vector<Ray>& rays, std::span<const Answer> answers,
                              RunResult& r) {
-    const Tracer tracer(scene, 1);
+    const RayQuery query(scene, 1);
     const povray::Gates gates;
     std::string what;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Answer ours = ask(tracer, rays[i]), &theirs = answers[i];
+      const Answer ours = ask(query, rays[i]), &theirs = answers[i];
       ++r.samples;
       const bool is_same = ours.is_hit == theirs.is_hit;
       if (is_same && !ours.is_hit) continue;
@@ -212,7 +212,7 @@ private:
         continue;
       }
       ++r.id_mismatches;
-      if (is_at_an_edge(tracer, rays[i], theirs)) continue;
+      if (is_at_an_edge(query, rays[i], theirs)) continue;
       ++r.ids_unexplained;
       what = is_same ? fmt::format("ray {}: distance {:.3g}, normal {:.3g}", i, distance, turn)
                      : fmt::format("ray {}: {} for us, {} for POV-Ray", i, ours.is_hit ? "a hit" : "a miss",

@@ -95,7 +95,7 @@ private:
   ShellOutput output_;
   lang::Session session_;
   CompileCache cache_{0};
-  std::optional<Traceable> traceable_; // of the scene at a version
+  std::optional<CompiledScene> traceable_; // of the scene at a version
   std::size_t traced_version_ = 0;
   PicturePrinter printer_;
   Journal journal_;

@@ -43,8 +43,8 @@ RenderOptions on_one_thread() {
   return options;
 }
 
-Film picture(const Kit& k, const Traceable& traceable) {
-  return render(traceable, {k.scene.camera, k.scene.size, 1}, on_one_thread()).film;
+Film picture(const Kit& k, const CompiledScene& compiled) {
+  return render(compiled, {k.scene.camera, k.scene.size, 1}, on_one_thread()).film;
 }
 
 bool have_equal_bytes(const Film& a, const Film& b) {
@@ -62,7 +62,7 @@ TEST_CASE("compile cache: pictures are the same bytes, however the scene is cut 
       {}, {{0, n, 1}}, {{0, 30, 1}, {30, n, 2}}, {{5, 20, 1}, {40, 63, 2}}, {{1, 2, 1}, {2, 3, 2}, {62, 64, 3}}};
   for (const auto& parts : cuts) {
     CompileCache cache(1);
-    CHECK(have_equal_bytes(whole, picture(k, Traceable(k.scene, parts, cache))));
+    CHECK(have_equal_bytes(whole, picture(k, CompiledScene(k.scene, parts, cache))));
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("compile cache: what did not change is not built again, and pictures s
   const auto n = static_cast<std::uint32_t>(k.scene.objects.size());
   const std::vector<Part> parts{{0, 40, 7}, {40, n, 8}};
   CompileCache cache(1);
-  { const Traceable first(k.scene, parts, cache); }
+  { const CompiledScene first(k.scene, parts, cache); }
   CHECK(cache.counts().parts_built == 2);
   CHECK(cache.counts().objects_built == n);
 
@@ -79,7 +79,7 @@ TEST_CASE("compile cache: what did not change is not built again, and pictures s
   scene::Material painted;
   painted.color = k.checker({1, 0, 0}, {0, 0, 1});
   k.add(k.sphere(0.8).at({2.4, 2, 5}).with(k.material(painted)));
-  const Traceable second(k.scene, parts, cache);
+  const CompiledScene second(k.scene, parts, cache);
   CHECK(cache.counts().parts_built == 2);
   CHECK(cache.counts().objects_reused == n);
   CHECK(have_equal_bytes(render(k.scene, on_one_thread()).film, picture(k, second)));
@@ -87,7 +87,7 @@ TEST_CASE("compile cache: what did not change is not built again, and pictures s
   // The first part is another one now, the second has moved in the list.
   k.scene.objects.erase(k.scene.objects.begin() + 3);
   const std::vector<Part> changed{{0, 39, 9}, {39, n - 1, 8}};
-  const Traceable third(k.scene, changed, cache);
+  const CompiledScene third(k.scene, changed, cache);
   CHECK(cache.counts().parts_built == 3);
   CHECK(have_equal_bytes(render(k.scene, on_one_thread()).film, picture(k, third)));
 }
@@ -97,7 +97,7 @@ TEST_CASE("compile cache: the path to an object is the same in a part as outside
   Asked whole(k);
   CompileCache cache(1);
   const std::vector<Part> parts{{10, 64, 1}};
-  const Traceable cut(k.scene, parts, cache);
+  const CompiledScene cut(k.scene, parts, cache);
   TraceScratch scratch;
   for (int i = 0; i < 200; ++i) {
     const Vec3 origin{0.05 * i - 3, 1.5, 8}, direction{0.01 * (i % 7), -0.1 - 0.01 * (i % 13), -1};
@@ -106,6 +106,6 @@ TEST_CASE("compile cache: the path to an object is the same in a part as outside
     const RayHit again = cut.nearest({origin, direction}, {}, scratch);
     REQUIRE(again);
     CHECK(again.t == hit.t);
-    CHECK(cut.path(again) == whole.traceable.path(hit));
+    CHECK(cut.path(again) == whole.compiled.path(hit));
   }
 }

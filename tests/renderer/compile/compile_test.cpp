@@ -10,7 +10,7 @@ namespace {
 using Path = std::vector<std::uint32_t>;
 
 Path path(Asked& asked, const Vec3& origin, const Vec3& direction) {
-  return asked.traceable.path(asked.nearest(origin, direction));
+  return asked.compiled.path(asked.nearest(origin, direction));
 }
 
 } // namespace
@@ -20,7 +20,7 @@ TEST_CASE("compile: an empty scene is hit by nothing") {
   CHECK_FALSE(asked.nearest({0, 0, 0}, {1, 2, 3}));
   CHECK(asked.transmittance({0, 0, 0}, {1, 2, 3}) == white);
   CHECK(asked.all({0, 0, 0}, {0, 0, 1}).empty());
-  CHECK(asked.traceable.around({0, 0, 0}).empty());
+  CHECK(asked.compiled.around({0, 0, 0}).empty());
 }
 
 TEST_CASE("compile: planes alone need no tree") {

@@ -23,8 +23,8 @@ TEST_CASE("solids: a union of overlapping spheres keeps its outer boundary only"
   Asked asked(k);
   CHECK(asked.all({0, 0, -5}, {0, 0, 1}) == Ts{4, 7});
   CHECK(asked.all({0, 0, 5}, {0, 0, -1}) == Ts{3, 6});
-  CHECK(asked.traceable.path(asked.nearest({0, 0, -5}, {0, 0, 1})) == Path{0, 0});
-  CHECK(asked.traceable.path(asked.nearest({0, 0, 5}, {0, 0, -1})) == Path{0, 1});
+  CHECK(asked.compiled.path(asked.nearest({0, 0, -5}, {0, 0, 1})) == Path{0, 0});
+  CHECK(asked.compiled.path(asked.nearest({0, 0, 5}, {0, 0, -1})) == Path{0, 1});
   // From within the overlap the way out leads through the other one's surface.
   CHECK(asked.all({0, 0, 0.5}, {0, 0, 1}) == Ts{1.5});
 }
@@ -50,7 +50,7 @@ TEST_CASE("solids: the cut face of a difference faces out of what is left, with 
   CHECK(normal(asked, {0, 0, -5}, {0, 0, 1}) == Vec3{0, 0, -1});
   CHECK(asked.radiance({0, 0, -5}, {0, 0, 1}) == Color{0, 1, 0});
   CHECK(asked.radiance({0, 0, 5}, {0, 0, -1}) == Color{1, 0, 0});
-  CHECK(asked.traceable.path(asked.nearest({0, 0, -5}, {0, 0, 1})) == Path{0, 1});
+  CHECK(asked.compiled.path(asked.nearest({0, 0, -5}, {0, 0, 1})) == Path{0, 1});
 }
 
 TEST_CASE("solids: a hole right through leaves two walls") {
@@ -105,7 +105,7 @@ TEST_CASE("solids: a group or a list as an operand is the union of what it holds
   k.add(k.subtract({k.box({-4, -1, -1}, {4, 1, 1}), k.group({k.sphere().at({-2, 0, 0}), k.sphere().at({2, 0, 0})})}));
   Asked asked(k);
   CHECK(asked.all({-9, 0, 0}, {1, 0, 0}) == Ts{5, 6, 8, 10, 12, 13});
-  CHECK(asked.traceable.path(asked.nearest({0, 0, 0}, {1, 0, 0})) == Path{0, 1, 1});
+  CHECK(asked.compiled.path(asked.nearest({0, 0, 0}, {1, 0, 0})) == Path{0, 1, 1});
 }
 
 TEST_CASE("solids: chains of differences and unions, with many operands, find the right ones") {
@@ -177,7 +177,7 @@ TEST_CASE("solids: a solid that stands in two places is the same in both") {
   CHECK(asked.all({-10, 0, 0}, {1, 0, 0}) == Ts{4, 6, 13, 17});
   CHECK(asked.radiance({-10, 0, 0}, {1, 0, 0}) == Color{1, 0, 0});
   CHECK(asked.radiance({-5, 5, 5}, {0, -1, -1}) == Color{0, 1, 0}); // an edge, rounded off by the sphere
-  CHECK(asked.traceable.path(asked.nearest({0, 0, 0}, {1, 0, 0})) == Path{1, 0});
+  CHECK(asked.compiled.path(asked.nearest({0, 0, 0}, {1, 0, 0})) == Path{1, 0});
 }
 
 TEST_CASE("solids: a part that casts no shadow lets light by, the rest does not") {

@@ -49,12 +49,12 @@ TEST_CASE("instances: a shared group is hit in each of its places, and knows whi
     const double y = path.size() > 1 ? half : 0;
     const RayHit hit = asked.nearest({x, y, -1}, {0, 0, 1});
     CHECK(hit.t == (path.size() > 1 ? 1 + half - radius : 0.5));
-    CHECK(asked.traceable.path(hit) == path);
+    CHECK(asked.compiled.path(hit) == path);
     CHECK(asked.surface({x, y, -1}, {0, 0, 1}).order == order);
   }
   // The last sphere of the second cube.
   const RayHit last = asked.nearest({11 - half, 1 - half, 5}, {0, 0, -1});
-  CHECK(asked.traceable.path(last) == Path{3, 4095});
+  CHECK(asked.compiled.path(last) == Path{3, 4095});
 }
 
 TEST_CASE("instances: equal distances go to the one declared first") {
@@ -66,8 +66,8 @@ TEST_CASE("instances: equal distances go to the one declared first") {
   k.add(like(cube, {8, 0, 0}));
   Asked asked(k);
   const double half = 0.5 / 16;
-  CHECK(asked.traceable.path(asked.nearest({half, half, -1}, {0, 0, 1})) == Path{0, 0});
-  CHECK(asked.traceable.path(asked.nearest({8 + half, half, -1}, {0, 0, 1})) == Path{2, 0});
+  CHECK(asked.compiled.path(asked.nearest({half, half, -1}, {0, 0, 1})) == Path{0, 0});
+  CHECK(asked.compiled.path(asked.nearest({8 + half, half, -1}, {0, 0, 1})) == Path{2, 0});
 }
 
 TEST_CASE("instances: nested, sheared and far away they are where they should be") {
@@ -85,10 +85,10 @@ TEST_CASE("instances: nested, sheared and far away they are where they should be
   const double y = 100 + half;
   const RayHit hit = asked.nearest({4 + half + y, y, -1}, {0, 0, 1});
   CHECK(hit.t == Approx(1 + half - radius).epsilon(1e-13));
-  CHECK(asked.traceable.path(hit) == Path{1, 1, 0});
+  CHECK(asked.compiled.path(hit) == Path{1, 1, 0});
   const RayHit far = asked.nearest({1048576 + half, half, -1}, {0, 0, 1});
   CHECK(far.t == Approx(1 + half - radius).epsilon(1e-13));
-  CHECK(asked.traceable.path(far) == Path{2, 0, 0});
+  CHECK(asked.compiled.path(far) == Path{2, 0, 0});
 }
 
 TEST_CASE("instances: seen from a million away") {
@@ -118,7 +118,7 @@ TEST_CASE("instances: a doubling chain of groups has as many leaves as it should
   const double end = std::ldexp(2.0, 40) - 2 + 1;
   const RayHit last = asked.nearest({half, half, end + 1}, {0, 0, -1});
   CHECK(last.t == Approx(1 + half - radius).epsilon(1e-3)); // an ulp of 2⁴¹ is 2⁻¹¹
-  CHECK(asked.traceable.path(last).size() == 42);
+  CHECK(asked.compiled.path(last).size() == 42);
 }
 
 TEST_CASE("instances: members inherit the material of their place") {

@@ -27,9 +27,9 @@ struct RayList : NoRecorder {
 };
 
 RayList rays_of(const Kit& k, const Vec3& origin, const Vec3& direction) {
-  const Traceable traceable(k.scene, 1);
+  const CompiledScene compiled(k.scene, 1);
   RayList list;
-  Whitted<OwnTolerances, RayList>(traceable, list).radiance({origin, normalize(direction)}, traceable.around(origin));
+  Whitted<OwnTolerances, RayList>(compiled, list).radiance({origin, normalize(direction)}, compiled.around(origin));
   return list;
 }
 
@@ -287,11 +287,11 @@ TEST_CASE("whitted: recording changes nothing") {
   k.add(k.plane({0, 1, 0}, -1));
   k.point_light({5, 5, 5});
   k.scene.background = {0.2, 0.3, 0.4};
-  const Traceable traceable(k.scene, 1);
+  const CompiledScene compiled(k.scene, 1);
   NoRecorder none;
   RayList list;
-  Whitted<> plain(traceable, none);
-  Whitted<OwnTolerances, RayList> recorded(traceable, list);
+  Whitted<> plain(compiled, none);
+  Whitted<OwnTolerances, RayList> recorded(compiled, list);
   for (int i = 0; i < 100; ++i) {
     const Ray ray{{2, 1, 6}, normalize(Vec3{-2.5 + 0.05 * i, -1, -6})};
     CHECK(plain.radiance(ray, {}) == recorded.radiance(ray, {}));
@@ -341,9 +341,9 @@ TEST_CASE("whitted: what a ray sees does not depend on those it travels with") {
   k.point_light({5, 5, 5});
   k.point_light({-3, 4, 6});
   k.scene.background = {0.2, 0.3, 0.4};
-  const Traceable traceable(k.scene, 1);
+  const CompiledScene compiled(k.scene, 1);
   NoRecorder none;
-  Whitted<> alone(traceable, none), together(traceable, none);
+  Whitted<> alone(compiled, none), together(compiled, none);
   for (const double spread : {0.0, 0.01, 0.3}) // from the same ray to rays that part
     for (int place = 0; place < 60; ++place) {
       std::array<Ray, accel::packet_size> rays;

@@ -278,11 +278,11 @@ TEST_CASE("lint: shapes are numbered as hits number them") {
       "def pair() { sphere { at: [0, 2, 0] }\n sphere { at: [0, 4, 0] } }\npair {}\npair { at: [6, 0, 0] }\n" +
       front);
   const scene::Scene& scene = *l.loaded.scene;
-  const Tracer tracer(scene);
+  const RayQuery query(scene);
   int checked = 0;
   CHECK(ask::for_each_leaf(scene, [&](const ask::Leaf& leaf) {
     const Vec3 middle = leaf.box.center();
-    const auto hit = tracer.nearest({middle + Vec3{0.01, 0.02, 50}, {0, 0, -1}});
+    const auto hit = query.nearest({middle + Vec3{0.01, 0.02, 50}, {0, 0, -1}});
     REQUIRE(hit);
     CHECK(hit->order == leaf.order);
     ++checked;

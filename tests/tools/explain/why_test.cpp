@@ -21,11 +21,11 @@ namespace {
 
 struct Asked {
   scene::Scene scene;
-  Tracer tracer;
+  RayQuery query;
   ask::Answer answer;
 
   Asked(scene::Scene described, const ask::Question& question)
-      : scene(std::move(described)), tracer(scene, 1), answer(scene, "test.rtl", tracer, question) {}
+      : scene(std::move(described)), query(scene, 1), answer(scene, "test.rtl", query, question) {}
 };
 
 std::unique_ptr<Asked> along(const std::string& text, const Vec3& origin, const Vec3& direction) {

@@ -55,12 +55,12 @@ Color assembled(const ask::RayNode& node) {
   return sum;
 }
 
-void check_pixel(const scene::Scene& scene, const Tracer& tracer, std::string_view file, int x, int y) {
+void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_view file, int x, int y) {
   ask::Question question;
   question.pixel = {x, y};
-  const ask::Answer answer(scene, file, tracer, question);
+  const ask::Answer answer(scene, file, query, question);
   INFO(file << " pixel " << x << ", " << y);
-  const Color traced = tracer.radiance(answer.ray.ray);
+  const Color traced = query.radiance(answer.ray.ray);
   CHECK(answer.tree->radiance == traced); // to the last bit
   CHECK(gap(answer.sum.total, traced) <= 1e-12);
   CHECK(gap(assembled(*answer.tree), traced) <= 1e-12);
@@ -93,11 +93,11 @@ TEST_CASE("why: over random pixels of every example the terms sum to the radianc
     auto loaded = lang::load_file(path, {});
     REQUIRE(loaded.scene);
     const scene::Scene& scene = *loaded.scene;
-    const Tracer tracer(scene, 1);
+    const RayQuery query(scene, 1);
     std::uniform_int_distribution<int> column(0, scene.size[0] - 1), row(0, scene.size[1] - 1);
     for (int i = 0; i < 40; ++i) {
       const int x = column(random), y = row(random);
-      check_pixel(scene, tracer, path, x, y);
+      check_pixel(scene, query, path, x, y);
     }
   }
 }
@@ -108,7 +108,7 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
     REQUIRE(loaded.scene);
     for (const int samples : {1, 4}) {
       loaded.scene->samples = samples;
-      const Tracer tracer(*loaded.scene, 1);
+      const RayQuery query(*loaded.scene, 1);
       const int x = loaded.scene->size[0] / 2, y = loaded.scene->size[1] / 2;
       RenderOptions options;
       options.threads = 1;
@@ -117,7 +117,7 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
       for (int i = 0; i < 16; ++i) {
         ask::Question question;
         question.pixel = {x + i % 4, y + i / 4};
-        const ask::Answer answer(*loaded.scene, name, tracer, question);
+        const ask::Answer answer(*loaded.scene, name, query, question);
         const Color whole = answer.pixel.value_or(answer.tree->radiance);
         CHECK(answer.pixel.has_value() == (samples > 1));
         const Rgb32& shown = picture.film.color[static_cast<std::size_t>(i)];
@@ -132,9 +132,9 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
 TEST_CASE("why: what is too much to tell is summed up, and the sum is still whole") {
   auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/nested_glass.rtl", {});
   REQUIRE(loaded.scene);
-  const Tracer tracer(*loaded.scene, 1);
-  const Ray ray = tracer.camera().ray(400.5, 300.5);
-  const auto whole = ask::record(tracer, ray), part = ask::record(tracer, ray, 3);
+  const RayQuery query(*loaded.scene, 1);
+  const Ray ray = query.camera().ray(400.5, 300.5);
+  const auto whole = ask::record(query, ray), part = ask::record(query, ray, 3);
   const ask::Sum sum = ask::take_apart(*part);
   CHECK(part->radiance == whole->radiance);
   CHECK(gap(sum.total, whole->radiance) <= 1e-12);
@@ -149,13 +149,13 @@ TEST_CASE("why: every sample of a pixel can be asked about, and their mean is th
   auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/still_life.rtl", {});
   REQUIRE(loaded.scene);
   loaded.scene->samples = 9;
-  const Tracer tracer(*loaded.scene, 1);
+  const RayQuery query(*loaded.scene, 1);
   Color sum = black;
   ask::Question question;
   question.pixel = {440, 330};
   for (int i = 0; i < 9; ++i) {
     question.sample = i;
-    sum += ask::Answer(*loaded.scene, "", tracer, question).tree->radiance;
+    sum += ask::Answer(*loaded.scene, "", query, question).tree->radiance;
   }
-  CHECK(gap(sum * (1.0 / 9), ask::Answer(*loaded.scene, "", tracer, question).pixel.value()) < 1e-15);
+  CHECK(gap(sum * (1.0 / 9), ask::Answer(*loaded.scene, "", query, question).pixel.value()) < 1e-15);
 }

@@ -81,12 +81,12 @@ void threads() {
 
 double trace_cpu(std::string_view name) {
   const scene::Scene scene = describe(make_layout(name));
-  const Traceable traceable(scene, 1);
+  const CompiledScene compiled(scene, 1);
   RenderOptions options;
   options.threads = 1;
   return least_of(3, [&] {
     const double start = cpu_seconds();
-    render(traceable, {scene.camera, scene.size, 1}, options);
+    render(compiled, {scene.camera, scene.size, 1}, options);
     return cpu_seconds() - start;
   });
 }
@@ -103,11 +103,11 @@ void native() {
   for (const std::string_view name : {"sphereflake_4", "mixed", "random_1m"}) {
     const Layout layout = make_layout(name);
     const scene::Scene scene = describe(layout);
-    const Traceable traceable(scene, 1);
-    const FrameRays rays = frame_rays(traceable, scene.camera, picture_size / 2);
-    TracingCost exact = trace_exactly(traceable, rays), native = trace_natively(layout, rays);
+    const CompiledScene compiled(scene, 1);
+    const FrameRays rays = frame_rays(compiled, scene.camera, picture_size / 2);
+    TracingCost exact = trace_exactly(compiled, rays), native = trace_natively(layout, rays);
     for (int i = 0; i < 2; ++i) {
-      exact.seconds = std::min(exact.seconds, trace_exactly(traceable, rays).seconds);
+      exact.seconds = std::min(exact.seconds, trace_exactly(compiled, rays).seconds);
       native.seconds = std::min(native.seconds, trace_natively(layout, rays).seconds);
     }
     row(fmt::format("{}: Embree's float shapes against ours in double, the {:.2f} M rays of a Whitted frame, CPU", name,

@@ -113,7 +113,7 @@ double cpu_seconds() {
   return static_cast<double>(usage.ru_utime.tv_sec) + static_cast<double>(usage.ru_utime.tv_usec) * 1e-6;
 }
 
-TracingCost trace_exactly(const Traceable& scene, const FrameRays& rays) {
+TracingCost trace_exactly(const CompiledScene& scene, const FrameRays& rays) {
   TraceScratch scratch;
   TracingCost cost;
   const double start = cpu_seconds();

@@ -14,7 +14,7 @@ struct TracingCost {
 };
 
 /// By our trees, in double precision.
-TracingCost trace_exactly(const Traceable& scene, const FrameRays& rays);
+TracingCost trace_exactly(const CompiledScene& scene, const FrameRays& rays);
 
 /// By Embree's own shapes in single precision: sphere points, cone curves for tubes, triangles.
 TracingCost trace_natively(const Layout& layout, const FrameRays& rays);

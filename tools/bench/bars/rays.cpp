@@ -22,7 +22,7 @@ struct Collector : NoRecorder {
 
 } // namespace
 
-FrameRays frame_rays(const Traceable& scene, const scene::Camera& camera, int size) {
+FrameRays frame_rays(const CompiledScene& scene, const scene::Camera& camera, int size) {
   FrameRays rays;
   Collector collector(rays);
   Whitted<OwnTolerances, Collector> whitted(scene, collector);

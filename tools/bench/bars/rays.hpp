@@ -15,6 +15,6 @@ struct FrameRays {
 };
 
 /// Of the whole picture, `size` pixels each way.
-FrameRays frame_rays(const Traceable& scene, const scene::Camera& camera, int size);
+FrameRays frame_rays(const CompiledScene& scene, const scene::Camera& camera, int size);
 
 } // namespace rt::tools::bench

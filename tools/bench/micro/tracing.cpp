@@ -16,32 +16,32 @@ constexpr int size = 256;
 
 void build(benchmark::State& state, std::string_view name) {
   const scene::Scene scene = describe(make_layout(name));
-  for (auto _ : state) benchmark::DoNotOptimize(std::make_unique<Traceable>(scene, 1));
+  for (auto _ : state) benchmark::DoNotOptimize(std::make_unique<CompiledScene>(scene, 1));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size()));
 }
 
 struct Prepared {
   scene::Scene scene;
-  Traceable traceable;
+  CompiledScene compiled;
   FrameRays rays;
   std::vector<Ray> camera, bounce;
 
   explicit Prepared(std::string_view name)
-      : scene(describe(make_layout(name))), traceable(scene, 1), rays(frame_rays(traceable, scene.camera, size)) {
+      : scene(describe(make_layout(name))), compiled(scene, 1), rays(frame_rays(compiled, scene.camera, size)) {
     for (const Ray& ray : rays.nearest) (ray.origin == scene.camera.at ? camera : bounce).push_back(ray);
   }
 };
 
-void trace(benchmark::State& state, const Traceable& traceable, const std::vector<Ray>& rays) {
+void trace(benchmark::State& state, const CompiledScene& compiled, const std::vector<Ray>& rays) {
   TraceScratch scratch;
   for (auto _ : state)
-    for (const Ray& ray : rays) benchmark::DoNotOptimize(traceable.nearest(ray, {0, unlimited}, scratch).t);
+    for (const Ray& ray : rays) benchmark::DoNotOptimize(compiled.nearest(ray, {0, unlimited}, scratch).t);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size()));
 }
 
 void primary(benchmark::State& state, std::string_view name) {
   const Prepared p(name);
-  trace(state, p.traceable, p.camera);
+  trace(state, p.compiled, p.camera);
 }
 
 // As rendering does it; here the rays of a packet lie side by side in a row of the picture.
@@ -51,7 +51,7 @@ void primary_packets(benchmark::State& state, std::string_view name) {
   std::array<RayHit, accel::packet_size> hits;
   for (auto _ : state)
     for (std::size_t i = 0; i + accel::packet_size <= p.camera.size(); i += accel::packet_size) {
-      p.traceable.nearest(std::span(p.camera).subspan(i, accel::packet_size), {0, unlimited}, hits, scratch);
+      p.compiled.nearest(std::span(p.camera).subspan(i, accel::packet_size), {0, unlimited}, hits, scratch);
       benchmark::DoNotOptimize(hits.data());
     }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(p.camera.size()));
@@ -59,7 +59,7 @@ void primary_packets(benchmark::State& state, std::string_view name) {
 
 void bounce(benchmark::State& state, std::string_view name) {
   const Prepared p(name);
-  trace(state, p.traceable, p.bounce);
+  trace(state, p.compiled, p.bounce);
 }
 
 void shadow(benchmark::State& state, std::string_view name) {
@@ -67,7 +67,7 @@ void shadow(benchmark::State& state, std::string_view name) {
   TraceScratch scratch;
   for (auto _ : state)
     for (std::size_t i = 0; i < p.rays.shadow.size(); ++i)
-      benchmark::DoNotOptimize(p.traceable.transmittance(p.rays.shadow[i], {0, p.rays.shadow_ends[i]}, scratch));
+      benchmark::DoNotOptimize(p.compiled.transmittance(p.rays.shadow[i], {0, p.rays.shadow_ends[i]}, scratch));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(p.rays.shadow.size()));
 }
 

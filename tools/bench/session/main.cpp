@@ -62,10 +62,10 @@ struct Parts {
 void preview(Session& session, rt::CompileCache& cache, rt::scene::Resolution size, Parts& parts) {
   const Stopwatch build;
   const rt::scene::Scene& scene = session.scene();
-  const rt::Traceable traceable(scene, parts_of(session), cache);
+  const rt::CompiledScene compiled(scene, parts_of(session), cache);
   parts.building.push_back(build.elapsed());
   const Stopwatch trace;
-  rt::render(traceable, {scene.camera, size, 1}, {});
+  rt::render(compiled, {scene.camera, size, 1}, {});
   parts.tracing.push_back(trace.elapsed());
 }
 
@@ -170,8 +170,8 @@ void measure_preview(const std::string& path) {
   for (int i = 0; i < 9; ++i) {
     const Stopwatch watch;
     const rt::scene::Scene& scene = session.scene();
-    const rt::Traceable traceable(scene, parts_of(session), cache);
-    const rt::Rendered rendered = rt::render(traceable, {scene.camera, {320, 240}, 1}, {});
+    const rt::CompiledScene compiled(scene, parts_of(session), cache);
+    const rt::Rendered rendered = rt::render(compiled, {scene.camera, {320, 240}, 1}, {});
     const std::string text = printer.print(rendered.film, {79, 30, 320, 240});
     times.push_back(watch.elapsed());
   }

@@ -93,11 +93,11 @@ void find_emptiness(const scene::Scene& scene, const lang::SourceMap& sources, F
 }
 
 void find_all(const scene::Scene& scene, const LintOptions& options, Findings& findings) {
-  const Tracer tracer(scene, options.threads);
-  LintContext context{scene, tracer, options, {}, {}, {}, findings, false, {}};
+  const RayQuery query(scene, options.threads);
+  LintContext context{scene, query, options, {}, {}, {}, findings, false, {}};
   context.view = view_of(context);
   context.survey = survey_of(context, survey_rays);
-  context.around_eye = solids_around(context, tracer.camera().ray(scene.size[0] / 2.0, scene.size[1] / 2.0).origin);
+  context.around_eye = solids_around(context, query.camera().ray(scene.size[0] / 2.0, scene.size[1] / 2.0).origin);
   for (const auto rule : {find_small_scales, find_insides, find_empty_view, find_unseen, find_coincidences,
                           find_overlaps, find_dark_lights, find_exposure, find_cut_off_rays}) {
     if (is_stopped(options)) break;

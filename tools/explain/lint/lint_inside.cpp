@@ -16,7 +16,7 @@ namespace {
 std::map<std::uint64_t, Around> left_first(const LintContext& context, const Ray& ray) {
   std::map<std::uint64_t, Around> found;
   std::set<std::uint64_t> met;
-  for (const HitReport& hit : context.tracer.all_hits(ray)) {
+  for (const HitReport& hit : context.query.all_hits(ray)) {
     if (!met.insert(hit.order).second || hit.enters) continue;
     Around around{hit.order, objects_on(context.scene, hit.path), hit.material.refract > 0, true};
     if (!is_solid(context.scene, around.objects)) continue;
@@ -39,7 +39,7 @@ void find_eye_inside(LintContext& context) {
     const bool is_all_there_is =
         std::ranges::all_of(context.view.orders, [&](std::uint64_t order) { return order == around.order; });
     const auto holds_a_light = [&] {
-      return std::ranges::any_of(context.tracer.scene().lamps(), [&](const Lamp& lamp) {
+      return std::ranges::any_of(context.query.scene().lamps(), [&](const Lamp& lamp) {
         if (lamp.kind == Lamp::Kind::sun) return false;
         const auto solids = solids_around(context, lamp.at);
         return std::ranges::any_of(solids, [&](const Around& a) { return a.order == around.order; });
@@ -57,7 +57,7 @@ void find_eye_inside(LintContext& context) {
 
 void find_lights_inside(LintContext& context) {
   constexpr std::size_t most_lights = 10'000;
-  const auto& lamps = context.tracer.scene().lamps();
+  const auto& lamps = context.query.scene().lamps();
   const auto is_around_eye = [&](const Around& around) {
     return std::ranges::any_of(context.around_eye, [&](const Around& a) { return a.order == around.order; });
   };

@@ -104,7 +104,7 @@ void for_each_row(const LintOptions& options, int rows, const std::function<void
 /// What the rules work on.
 struct LintContext {
   const scene::Scene& scene;
-  const Tracer& tracer;
+  const RayQuery& query;
   const LintOptions& options;
   View view;
   Survey survey;

@@ -93,7 +93,7 @@ void find_overlaps(LintContext& context) {
   std::map<std::pair<Line, Line>, Overlap> overlaps;
   for (double y = step / 2; y < height && !is_stopped(context.options); y += step) {
     for (double x = step / 2; x < width; x += step) {
-      const auto hits = context.tracer.all_hits(context.tracer.camera().ray(std::floor(x) + 0.5, std::floor(y) + 0.5));
+      const auto hits = context.query.all_hits(context.query.camera().ray(std::floor(x) + 0.5, std::floor(y) + 0.5));
       if (hits.size() < 4) continue;
       const auto inside = stretches(context, hits);
       for (const Stretch& a : inside) {
@@ -126,7 +126,7 @@ void find_overlaps(LintContext& context) {
 
 void find_dark_lights(LintContext& context) {
   if (context.view.hits == 0 || context.is_eye_shut_in) return;
-  const auto& lamps = context.tracer.scene().lamps();
+  const auto& lamps = context.query.scene().lamps();
   const auto is_dark = [](const LampTally& tally) { return !tally.is_lit; };
   if (std::ranges::none_of(context.survey.lamps, is_dark)) return;
   const Survey closer = survey_of(context, 10 * survey_rays); // what it reaches may be small

@@ -19,7 +19,7 @@ constexpr double white_from = 1 + 1e-9;
 
 struct Listener : NoRecorder {
   Listener(const LintContext& c, Survey& s) : context(c), survey(s) {
-    survey.lamps.resize(c.tracer.scene().lamps().size());
+    survey.lamps.resize(c.query.scene().lamps().size());
   }
 
   struct Frame {
@@ -47,7 +47,7 @@ struct Listener : NoRecorder {
   }
 
   void surface(const RayHit& hit, const Surface& surface, const MaterialValues& values, const Vec3&) {
-    const auto objects = objects_on(context.scene, context.tracer.scene().path(hit));
+    const auto objects = objects_on(context.scene, context.query.scene().path(hit));
     for (const scene::Object* object : objects) survey.lines.insert(line_of(object->origin));
     frames.back().line = line_of(objects.back()->origin);
     if (looks < coincidences_looked_for && max_component(frames.back().weight) >= weight_of_coincidence) {
@@ -72,8 +72,8 @@ struct Listener : NoRecorder {
   }
 
   void find_blocker(const LightRecord& record, const Surface& surface, LampTally& tally) const {
-    for (const HitReport& hit : context.tracer.all_hits(Whitted<>::shadow_ray(surface, record.incidence),
-                                                        Whitted<>::shadow_range(record.incidence))) {
+    for (const HitReport& hit : context.query.all_hits(Whitted<>::shadow_ray(surface, record.incidence),
+                                                       Whitted<>::shadow_range(record.incidence))) {
       if (hit.material.refract > 0) continue;
       ++tally.blockers[line_of(objects_on(context.scene, hit.path).back()->origin)];
       return;
@@ -84,7 +84,7 @@ struct Listener : NoRecorder {
   std::vector<HitReport> hits_around(const Vec3& point, const Vec3& direction) const {
     const double size = std::max({1.0, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     const double back = 1e-2 * size, slack = 1e-9 * size;
-    return context.tracer.all_hits({point - direction * back, direction}, {back - slack, back + slack});
+    return context.query.all_hits({point - direction * back, direction}, {back - slack, back + slack});
   }
 
   static const HitReport* of_order(const std::vector<HitReport>& hits, std::uint64_t order) {
@@ -123,7 +123,7 @@ struct Listener : NoRecorder {
       const Vec3 beside = a.point + shift;
       // On a curved surface the ray meets both a little before or behind: they must do so together.
       const double reach = 1e-2 * std::max(1.0, length(beside)) + step;
-      const auto hits = context.tracer.all_hits({beside - direction * reach, direction}, {0, 2 * reach});
+      const auto hits = context.query.all_hits({beside - direction * reach, direction}, {0, 2 * reach});
       const HitReport *one = of_order(hits, a.order), *other = of_order(hits, b.order);
       if (!one || !other || std::abs(one->t - other->t) > 1e-9 * std::max(1.0, length(beside))) return false;
     }
@@ -175,14 +175,14 @@ public:
 
   void trace_row(int row, int columns, int rows, Survey& survey) const {
     const auto [width, height] = context_.scene.size;
-    const Traceable& scene = context_.tracer.scene();
+    const CompiledScene& scene = context_.query.scene();
     Listener listener(context_, survey);
     Whitted<OwnTolerances, Listener> whitted(scene, listener);
     TraceScratch scratch;
     const int y = static_cast<int>((row + 0.5) * height / rows);
     for (int column = 0; column < columns; ++column) {
       const int x = static_cast<int>((column + 0.5) * width / columns);
-      const Ray ray = context_.tracer.camera().ray(x + 0.5, y + 0.5);
+      const Ray ray = context_.query.camera().ray(x + 0.5, y + 0.5);
       listener.begin_pixel(0.5 / width);
       const Color color = whitted.radiance(ray, has_one_eye_ ? inside_ : scene.around(ray.origin));
       ++survey.rays;
@@ -207,8 +207,8 @@ Survey survey_of(const LintContext& context, std::uint64_t rays) {
   const auto [width, height] = context.scene.size;
   const double step = std::max(1.0, std::sqrt(static_cast<double>(width) * height / static_cast<double>(rays)));
   const int columns = std::max(1, static_cast<int>(width / step)), rows = std::max(1, static_cast<int>(height / step));
-  const CameraRays& camera = context.tracer.camera();
-  const Surveyor surveyor(context, context.tracer.scene().around(camera.ray(0, 0).origin), camera.has_one_eye());
+  const CameraRays& camera = context.query.camera();
+  const Surveyor surveyor(context, context.query.scene().around(camera.ray(0, 0).origin), camera.has_one_eye());
   std::vector<Survey> parts(static_cast<std::size_t>(rows));
   for_each_row(context.options, rows,
                [&](int row, int) { surveyor.trace_row(row, columns, rows, parts[static_cast<std::size_t>(row)]); });

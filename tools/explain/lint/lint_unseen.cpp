@@ -173,7 +173,7 @@ private:
   std::optional<std::map<std::uint64_t, Around>> intervals_around(const Leaf& leaf, const Ray& ray) const {
     // A solid around the leaf may be much larger: look from far enough back to see where it is entered.
     const Ray line = from_outside(ray);
-    const std::vector<HitReport> hits = context_.tracer.all_hits(line);
+    const std::vector<HitReport> hits = context_.query.all_hits(line);
     double first = infinity, last = -infinity;
     for (const HitReport& hit : hits) {
       if (hit.order != leaf.order) continue;

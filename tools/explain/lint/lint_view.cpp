@@ -37,8 +37,8 @@ public:
     std::array<RayHit, accel::packet_size> hits;
     for (int x = 0; x < width;) {
       std::size_t n = 0;
-      for (; n < rays.size() && x < width; x += step) rays[n++] = context_.tracer.camera().ray(x + 0.5, y + 0.5);
-      context_.tracer.scene().nearest(std::span(rays).first(n), {}, std::span(hits).first(n), scratch_);
+      for (; n < rays.size() && x < width; x += step) rays[n++] = context_.query.camera().ray(x + 0.5, y + 0.5);
+      context_.query.scene().nearest(std::span(rays).first(n), {}, std::span(hits).first(n), scratch_);
       for (std::size_t i = 0; i < n; ++i) note(rays[i], hits[i]);
     }
   }
@@ -52,8 +52,8 @@ private:
     ++view.hits;
     if (key_of(hit) == last_) return;
     last_ = key_of(hit);
-    if (!view.orders.insert(context_.tracer.scene().surface(ray, hit).order).second && !hit.operand) return;
-    for (const scene::Object* object : objects_on(context_.scene, context_.tracer.scene().path(hit)))
+    if (!view.orders.insert(context_.query.scene().surface(ray, hit).order).second && !hit.operand) return;
+    for (const scene::Object* object : objects_on(context_.scene, context_.query.scene().path(hit)))
       view.lines.insert(line_of(object->origin));
   }
 

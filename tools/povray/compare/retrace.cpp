@@ -16,8 +16,8 @@ std::uint32_t number(const HitReport& hit) {
   return static_cast<std::uint32_t>(hit.order + 1);
 }
 
-Ray center(const Tracer& tracer, int x, int y) {
-  return tracer.camera().ray(x + 0.5, y + 0.5);
+Ray center(const RayQuery& query, int x, int y) {
+  return query.camera().ray(x + 0.5, y + 0.5);
 }
 
 } // namespace
@@ -28,16 +28,16 @@ Retracer::Retracer(const scene::Scene& scene)
 }
 Retracer::~Retracer() = default;
 
-const Tracer& Retracer::tracer() {
-  if (!tracer_) tracer_ = std::make_unique<Tracer>(scene_, 1);
-  return *tracer_;
+const RayQuery& Retracer::query() {
+  if (!query_) query_ = std::make_unique<RayQuery>(scene_, 1);
+  return *query_;
 }
 
 template <class Turn>
 Rgb32 Retracer::color(int x, int y, Turn&& turn) {
   Color sum;
   for (int sample = 0; sample < side_ * side_; ++sample)
-    sum += tracer().radiance(turn(tracer().camera().ray(x, y, sample, side_)), Tracer::Tolerances::povray);
+    sum += query().radiance(turn(query().camera().ray(x, y, sample, side_)), RayQuery::Tolerances::povray);
   sum = sum * (1.0 / (side_ * side_));
   return {static_cast<float>(sum.r), static_cast<float>(sum.g), static_cast<float>(sum.b)};
 }
@@ -66,24 +66,24 @@ Ray Retracer::beside(const Ray& ray, int i, double size) const {
 }
 
 std::uint32_t Retracer::hit_with_povray_limits(int x, int y) {
-  const auto hit = tracer().nearest(center(tracer(), x, y), {povray_nearest, farthest_hit});
+  const auto hit = query().nearest(center(query(), x, y), {povray_nearest, farthest_hit});
   return hit ? number(*hit) : 0;
 }
 
 bool Retracer::is_hit_beside(int x, int y, std::uint32_t id) {
-  const Ray ray = center(tracer(), x, y);
+  const Ray ray = center(query(), x, y);
   for (int i = 0; i < 8; ++i) {
-    const auto hit = tracer().nearest(beside(ray, i, near_by));
+    const auto hit = query().nearest(beside(ray, i, near_by));
     if ((hit ? number(*hit) : 0) == id) return true;
   }
   return false;
 }
 
 bool Retracer::is_hit_behind(int x, int y, std::uint32_t id) {
-  const Ray ray = center(tracer(), x, y);
-  const auto first = tracer().nearest(ray);
+  const Ray ray = center(query(), x, y);
+  const auto first = query().nearest(ray);
   if (!first) return false;
-  const std::vector<HitReport> hits = tracer().all_hits(ray, {first->t * (1 - behind), first->t * (1 + behind)});
+  const std::vector<HitReport> hits = query().all_hits(ray, {first->t * (1 - behind), first->t * (1 + behind)});
   return std::any_of(hits.begin(), hits.end(), [&](const HitReport& hit) { return number(hit) == id; });
 }
 

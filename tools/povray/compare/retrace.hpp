@@ -8,7 +8,7 @@
 #include <memory>
 
 namespace rt {
-class Tracer;
+class RayQuery;
 }
 
 namespace rt::tools::povray {
@@ -33,14 +33,14 @@ public:
   bool is_hit_behind(int x, int y, std::uint32_t id);
 
 private:
-  const Tracer& tracer();
+  const RayQuery& query();
   Ray beside(const Ray& ray, int i, double size) const;
   template <class Turn>
   Rgb32 color(int x, int y, Turn&& turn);
 
   scene::Scene scene_;
-  int side_;                       ///< of a pixel's grid of samples
-  std::unique_ptr<Tracer> tracer_; ///< made when it is first needed: most pictures need none
+  int side_;                        ///< of a pixel's grid of samples
+  std::unique_ptr<RayQuery> query_; ///< made when it is first needed: most pictures need none
 };
 
 /// The largest difference of a channel, of 1 or of the value where that is greater.

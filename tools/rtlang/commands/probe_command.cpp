@@ -26,9 +26,9 @@ int run_probe(const Arguments& arguments) {
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
-  const Tracer tracer(*loaded.scene);
-  const ask::NamedRay ray = ask::resolve(question, *loaded.scene, tracer.camera());
-  const std::vector<HitReport> hits = ask::find_hits(tracer, ray.ray, arguments.wants_all);
+  const RayQuery query(*loaded.scene);
+  const ask::NamedRay ray = ask::resolve(question, *loaded.scene, query.camera());
+  const std::vector<HitReport> hits = ask::find_hits(query, ray.ray, arguments.wants_all);
   print(arguments.is_json ? ask::probe_json(*loaded.scene, ray, hits).dump(2) + "\n"
                           : ask::probe_text(*loaded.scene, ray, hits, arguments.wants_all));
   return exit_fine;

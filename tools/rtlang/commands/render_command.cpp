@@ -117,12 +117,12 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
   if (error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
     options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
   const Clock::time_point build_start = Clock::now();
-  const auto traceable = [&] {
+  const auto compiled = [&] {
     const EndsAtOnce building;
-    return std::make_unique<const Traceable>(scene, options.threads);
+    return std::make_unique<const CompiledScene>(scene, options.threads);
   }();
   const double build_seconds = seconds_since(build_start);
-  Rendered rendered = rt::render(*traceable, {scene.camera, scene.size, scene.samples}, options);
+  Rendered rendered = rt::render(*compiled, {scene.camera, scene.size, scene.samples}, options);
   rendered.statistics.primitives = scene::count_primitives(scene);
   rendered.statistics.build_seconds = build_seconds;
   return rendered;

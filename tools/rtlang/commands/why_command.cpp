@@ -28,9 +28,9 @@ int run_why(const Arguments& arguments) {
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
-  const Tracer tracer(*loaded.scene);
+  const RayQuery query(*loaded.scene);
   const std::string file = shown_name(*arguments.scene);
-  const ask::Answer answer(*loaded.scene, file, tracer, question);
+  const ask::Answer answer(*loaded.scene, file, query, question);
   print(arguments.is_json ? ask::why_json(answer, arguments.depth).dump(2) + "\n"
                           : ask::why_text(answer, arguments.depth));
   return exit_fine;

@@ -129,28 +129,28 @@ FieldValue Builder::field_value(const Property& property, const Value& value) {
   return 0.0;
 }
 
-void Builder::put_on(Dress& dress, const Property& property, const Value& value) {
+void Builder::apply(ObjectAttributes& attributes_of, const Property& property, const Value& value) {
   switch (property.common) {
   case Common::at:
-    dress.at = value.vector();
+    attributes_of.at = value.vector();
     break;
   case Common::rotate:
-    dress.rotate = value.vector();
+    attributes_of.rotate = value.vector();
     break;
   case Common::scale:
-    dress.scale = size(value);
+    attributes_of.scale = size(value);
     break;
   case Common::material:
-    dress.material = material(value);
+    attributes_of.material = material(value);
     break;
   case Common::name:
-    dress.name = name(value.text());
+    attributes_of.name = name(value.text());
     break;
   case Common::visible:
-    dress.is_visible = value.truth();
+    attributes_of.is_visible = value.truth();
     break;
   case Common::casts_shadow:
-    dress.casts_shadow = value.truth();
+    attributes_of.casts_shadow = value.truth();
     break;
   case Common::none:
     break;
@@ -197,15 +197,16 @@ scene::PatternId Builder::pattern(const Thing& thing) {
   if (thing.built != 0xffffffff) return scene::PatternId{thing.built};
   scene::Pattern made;
   made.kind = thing.noun->pattern;
-  Dress dress;
+  ObjectAttributes attributes_of;
   for (const PropertyValue& p : thing.properties) {
     const Property& property = thing.noun->properties[p.id];
     if (property.common == Common::none)
       property.field->set(&made, field_value(property, p.value));
     else
-      put_on(dress, property, p.value);
+      apply(attributes_of, property, p.value);
   }
-  made.placement = {dress.scale, dress.rotate, dress.at, thing.chain ? thing.chain->steps : std::vector<scene::Step>{}};
+  made.placement = {attributes_of.scale, attributes_of.rotate, attributes_of.at,
+                    thing.chain ? thing.chain->steps : std::vector<scene::Step>{}};
   thing.built = static_cast<std::uint32_t>(scene_.patterns.size());
   scene_.patterns.push_back(std::move(made));
   return scene::PatternId{thing.built};
@@ -217,10 +218,11 @@ scene::NameId Builder::name(std::string_view text) {
   return found->second;
 }
 
-std::optional<scene::TransformId> Builder::transform(const Dress& dress, const Chain* chain) {
+std::optional<scene::TransformId> Builder::transform(const ObjectAttributes& attributes_of, const Chain* chain) {
   const bool has_chain = chain && !chain->steps.empty();
-  if (!has_chain && dress.rotate == Vec3{} && dress.scale == Vec3{1, 1, 1}) return scene::no_transform;
-  scene::Placement placement{dress.scale, dress.rotate, {}, has_chain ? chain->steps : std::vector<scene::Step>{}};
+  if (!has_chain && attributes_of.rotate == Vec3{} && attributes_of.scale == Vec3{1, 1, 1}) return scene::no_transform;
+  scene::Placement placement{
+      attributes_of.scale, attributes_of.rotate, {}, has_chain ? chain->steps : std::vector<scene::Step>{}};
   Hasher h;
   h.add(placement.scale).add(placement.rotate);
   for (const scene::Step& step : placement.chain) add_to(h, step);

@@ -14,7 +14,7 @@
 namespace rt::lang {
 
 /// The chain, the material and so on that all shapes have, as they were written for one of them.
-struct Dress {
+struct ObjectAttributes {
   Vec3 at{}, rotate{}, scale{1, 1, 1};
   scene::MaterialId material = scene::no_material;
   scene::NameId name = scene::no_name;
@@ -31,13 +31,13 @@ public:
   /// As the field's `set` takes it.
   scene::FieldValue field_value(const Property& property, const Value& value);
   /// Applies one of the properties that are no field's.
-  void put_on(Dress& dress, const Property& property, const Value& value);
+  void apply(ObjectAttributes& attributes_of, const Property& property, const Value& value);
 
   scene::MaterialId material(const Value& value);
   scene::PatternId pattern(const Thing& pattern);
   scene::NameId name(std::string_view text);
   /// Nothing where the placement flattens: its determinant is 0 or not finite.
-  std::optional<scene::TransformId> transform(const Dress& dress, const Chain* chain);
+  std::optional<scene::TransformId> transform(const ObjectAttributes& attributes_of, const Chain* chain);
   scene::Origin origin(Span span);
   scene::Scene& scene() { return scene_; }
 

@@ -233,12 +233,13 @@ private:
   std::optional<scene::ShapeRef> shape(const Described& described);
   std::optional<scene::ShapeRef> shared_shape(const Thing& thing);
   bool make(const Described& described, void* room);
-  std::optional<Dress> dress(const Described& described, const Content* content);
+  std::optional<ObjectAttributes> attributes_of(const Described& described, const Content* content);
   std::optional<scene::ShapeRef> content_shape(Content& content, const Noun& noun, Span place);
   void remember_places(Span place);
   void remark_medium(const Described& described, const Content* content, scene::ShapeRef made);
   bool is_operand(const Described& described, scene::ShapeRef made);
-  void put_lights_of(const Content& inside, const Dress& clothes, const Described& described, Target& target);
+  void put_lights_of(const Content& inside, const ObjectAttributes& attributes, const Described& described,
+                     Target& target);
   static bool is_poisoned(std::span<const PropertyValue> properties);
 
   // Solids (solids.cpp)

@@ -106,18 +106,18 @@ std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
   return thing.shape;
 }
 
-std::optional<Dress> Evaluator::dress(const Described& described, const Content* content) {
-  Dress dress;
-  const auto put_on = [&](std::span<const PropertyValue> properties) {
+std::optional<ObjectAttributes> Evaluator::attributes_of(const Described& described, const Content* content) {
+  ObjectAttributes attributes_of;
+  const auto apply = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
       if ((p.id & parameter_bit) != 0) continue;
       const Property& property = described.noun->properties[p.id];
-      if (property.common != Common::none) builder_.put_on(dress, property, p.value);
+      if (property.common != Common::none) builder_.apply(attributes_of, property, p.value);
     }
   };
-  if (content) put_on(content->defaults);
-  put_on(described.properties);
-  return dress;
+  if (content) apply(content->defaults);
+  apply(described.properties);
+  return attributes_of;
 }
 
 void Evaluator::put_shape(const Described& described, Target& target) {
@@ -137,20 +137,20 @@ void Evaluator::put_shape(const Described& described, Target& target) {
     }
     if (inside && is_poisoned(inside->defaults)) return;
   }
-  const auto clothes = dress(described, inside.get());
-  const bool is_missing = !clothes->is_visible || (inside && inside->is_nothing);
+  const auto attributes = attributes_of(described, inside.get());
+  const bool is_missing = !attributes->is_visible || (inside && inside->is_nothing);
   if (target.noun && target.noun->category == Category::combination && is_missing) {
     target.is_one_missing = true;
     if (target.things == 1) target.is_first_missing = true;
   }
-  if (!clothes->is_visible) return;
-  const auto turn = builder_.transform(*clothes, described.chain);
+  if (!attributes->is_visible) return;
+  const auto turn = builder_.transform(*attributes, described.chain);
   if (!turn) {
     fail("E0406", described.place,
          "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
     return;
   }
-  if (inside && !inside->lights.empty()) put_lights_of(*inside, *clothes, described, target);
+  if (inside && !inside->lights.empty()) put_lights_of(*inside, *attributes, described, target);
   if (inside && inside->is_nothing) return;
   std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, noun, described.place) : shape(described);
   if (!made) return;
@@ -163,14 +163,14 @@ void Evaluator::put_shape(const Described& described, Target& target) {
   count_objects(1, described.place);
   target.depth = std::max<std::uint16_t>(target.depth, inside ? inside->depth : 0);
   scene::Object& object = target.objects->emplace_back();
-  object.at = clothes->at;
+  object.at = attributes->at;
   object.shape = *made;
   object.transform = *turn;
-  object.material = clothes->material;
-  object.name = clothes->name;
+  object.material = attributes->material;
+  object.name = attributes->name;
   if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
   object.origin = builder_.origin(described.place);
-  object.casts_shadow = clothes->casts_shadow;
+  object.casts_shadow = attributes->casts_shadow;
 }
 
 std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const Noun& noun, Span place) {
@@ -228,19 +228,20 @@ bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
   return false;
 }
 
-void Evaluator::put_lights_of(const Content& inside, const Dress& clothes, const Described& described, Target& target) {
+void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const Described& described,
+                              Target& target) {
   if (target.noun && target.noun->category == Category::combination) {
     fail("E0402", described.place,
          fmt::format("there is a light in this {}, and light is no solid", described.noun->name));
     return;
   }
-  const bool is_placed = clothes.at != Vec3{} || clothes.rotate != Vec3{} || clothes.scale != Vec3{1, 1, 1} ||
+  const bool is_placed = attributes.at != Vec3{} || attributes.rotate != Vec3{} || attributes.scale != Vec3{1, 1, 1} ||
                          (described.chain && !described.chain->steps.empty());
   count_objects(inside.lights.size(), described.place);
   for (const scene::Light& light : inside.lights) {
     scene::Light& copy = target.lights->emplace_back(light);
     if (!is_placed) continue;
-    copy.enclosing.push_back({clothes.scale, clothes.rotate, clothes.at,
+    copy.enclosing.push_back({attributes.scale, attributes.rotate, attributes.at,
                               described.chain ? described.chain->steps : std::vector<scene::Step>{}});
   }
 }
@@ -255,12 +256,12 @@ void Evaluator::put_light(const Described& described, Target& target) {
   }
   Room room(noun.maker);
   if (!make(described, room.get())) return;
-  const auto clothes = dress(described, nullptr);
+  const auto attributes = attributes_of(described, nullptr);
   count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
   light.source = noun.maker.light(room.get());
   if (described.chain) light.chain = described.chain->steps;
-  light.name = clothes->name;
+  light.name = attributes->name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
   light.origin = builder_.origin(described.place);
 }

@@ -129,7 +129,7 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
   }
   const Ref<Frame> frame = make_frame(heap_, library_, info->frame_size);
   suspects_.push_back(frame);
-  Gathered properties{&program_.nouns.scene(), nullptr, {}, {}, false};
+  PropertyBlock properties{&program_.nouns.scene(), nullptr, {}, {}, false};
   Target target;
   target.kind = Target::Kind::discarded;
   target.properties = &properties;
@@ -248,7 +248,7 @@ void Evaluator::try_function(const FunctionInfo& function) {
     expression(function.body, context);
     return;
   }
-  Gathered properties{&program_.nouns.group(), nullptr, {}, {}, false};
+  PropertyBlock properties{&program_.nouns.group(), nullptr, {}, {}, false};
   scene::Group nowhere;
   std::vector<scene::Light> no_lights;
   Target target;

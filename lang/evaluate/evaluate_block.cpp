@@ -123,7 +123,7 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
   const Ast& ast = context.ast();
   const Named property = ast.named(node);
   Value value = expression(property.value, context);
-  Gathered* gathered = target.properties;
+  PropertyBlock* gathered = target.properties;
   if (!gathered) return;
   const Span name_place = ast.named_span(node, program_.symbols);
   std::optional<std::uint16_t> id;
@@ -148,13 +148,13 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
   }
 }
 
-void Evaluator::set_property(Gathered& gathered, std::uint16_t id, Value value, Span place, Span name_place) {
+void Evaluator::set_property(PropertyBlock& gathered, std::uint16_t id, Value value, Span place, Span name_place) {
   const bool is_parameter = (id & parameter_bit) != 0;
   const Property* property = is_parameter ? nullptr : &gathered.noun->properties[id];
   const std::string_view word = is_parameter ? name(gathered.def->parameters[id ^ parameter_bit].name) : property->name;
   if (property && property->type == PropertyType::material && value.is(ValueKind::record))
     value = as_material(value.record(), place);
-  for (const Gathered::Written& other : gathered.written) {
+  for (const PropertyBlock::Written& other : gathered.written) {
     const bool is_twice = other.id == id;
     const bool clashes = property && property->form != 0 && (other.id & parameter_bit) == 0 &&
                          gathered.noun->properties[other.id].form != 0 &&

@@ -53,8 +53,8 @@ void Evaluator::begin_input(std::uint32_t slots, const char* stack_limit) {
   suspects_.push_back(main_);
 }
 
-Made Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print) {
-  Made made;
+StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print) {
+  StatementResult made;
   scene_properties_ = {&program_.nouns.scene(), nullptr, {}, {}, false};
   camera_place_.reset();
   recursion_ = unsure_ = 0;

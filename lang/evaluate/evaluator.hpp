@@ -22,7 +22,7 @@ struct Context {
 };
 
 /// Properties as they come in, for a thing or for the scene.
-struct Gathered {
+struct PropertyBlock {
   const Noun* noun = nullptr;
   const FunctionInfo* def = nullptr; ///< its parameters come first
   std::vector<PropertyValue> values; ///< to begin with, what is inherited
@@ -45,17 +45,17 @@ struct Target {
   Kind kind = Kind::bare;
   std::vector<scene::Object>* objects = nullptr;
   std::vector<scene::Light>* lights = nullptr;
-  const Noun* noun = nullptr;     ///< the composite that is filled
-  Gathered* properties = nullptr; ///< null where the block is of something in error
-  std::uint16_t depth = 0;        ///< of what was put in
-  std::uint32_t things = 0;       ///< how many were put in
-  bool is_first_missing = false;  ///< the first operand is nothing
-  bool is_one_missing = false;    ///< an operand is nothing
-  Span owner;                     ///< the thing whose block it is, for messages
+  const Noun* noun = nullptr;          ///< the composite that is filled
+  PropertyBlock* properties = nullptr; ///< null where the block is of something in error
+  std::uint16_t depth = 0;             ///< of what was put in
+  std::uint32_t things = 0;            ///< how many were put in
+  bool is_first_missing = false;       ///< the first operand is nothing
+  bool is_one_missing = false;         ///< an operand is nothing
+  Span owner;                          ///< the thing whose block it is, for messages
 };
 
 /// What one statement of a session made.
-struct Made {
+struct StatementResult {
   std::vector<scene::Object> objects;
   std::vector<scene::Light> lights;
   std::optional<scene::Camera> camera;
@@ -84,7 +84,7 @@ public:
   /// must have.
   void begin_input(std::uint32_t slots, const char* stack_limit);
   /// `may_print`: an expression that is no thing is no mistake.
-  Made run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
+  StatementResult run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
   /// Finds mistakes in the input's functions that nothing has called.
   void try_session_functions();
   const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
@@ -187,7 +187,7 @@ private:
   void for_item(NodeId node, const Context& context, Target& target);
   void if_item(NodeId node, const Context& context, Target& target);
   void property_item(NodeId node, const Context& context, Target& target);
-  void set_property(Gathered& gathered, std::uint16_t id, Value value, Span place, Span name_place);
+  void set_property(PropertyBlock& gathered, std::uint16_t id, Value value, Span place, Span name_place);
   void put(const Value& value, Span place, Target& target);
   void put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context, Target& target);
   /// Calls body(context) for each element of the head of a `for`, its variables set.
@@ -218,27 +218,27 @@ private:
   void finish_content(Content& content, const Noun& noun, const Target& target, Span place);
 
   // Putting things into the scene (placing.cpp)
-  struct Described {
+  struct ThingView {
     const Noun* noun;
     std::span<const PropertyValue> properties;
     const Chain* chain;
     Span place;
     const Thing* thing; ///< null for what was never a value
   };
-  void put_thing(const Described& described, Target& target);
+  void put_thing(const ThingView& described, Target& target);
   void put_simple(NodeId node, const Context& context, Target& target);
-  void put_shape(const Described& described, Target& target);
-  void put_light(const Described& described, Target& target);
-  void put_camera(const Described& described, Target& target);
-  std::optional<scene::ShapeRef> shape(const Described& described);
+  void put_shape(const ThingView& described, Target& target);
+  void put_light(const ThingView& described, Target& target);
+  void put_camera(const ThingView& described, Target& target);
+  std::optional<scene::ShapeRef> shape(const ThingView& described);
   std::optional<scene::ShapeRef> shared_shape(const Thing& thing);
-  bool make(const Described& described, void* room);
-  std::optional<ObjectAttributes> attributes_of(const Described& described, const Content* content);
+  bool make(const ThingView& described, void* room);
+  std::optional<ObjectAttributes> attributes_of(const ThingView& described, const Content* content);
   std::optional<scene::ShapeRef> content_shape(Content& content, const Noun& noun, Span place);
   void remember_places(Span place);
-  void remark_medium(const Described& described, const Content* content, scene::ShapeRef made);
-  bool is_operand(const Described& described, scene::ShapeRef made);
-  void put_lights_of(const Content& inside, const ObjectAttributes& attributes, const Described& described,
+  void remark_medium(const ThingView& described, const Content* content, scene::ShapeRef made);
+  bool is_operand(const ThingView& described, scene::ShapeRef made);
+  void put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
                      Target& target);
   static bool is_poisoned(std::span<const PropertyValue> properties);
 
@@ -300,7 +300,7 @@ private:
   std::vector<Ref<Frame>> suspects_;                             // frames that may be kept alive by what they hold
   std::size_t next_sweep_ = std::size_t{1} << 14;                // how many of them are looked through next
   std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
-  Gathered scene_properties_;
+  PropertyBlock scene_properties_;
   std::optional<Span> camera_place_;
   std::vector<Span> combination_places_;     // by index of the combination
   std::size_t tried_functions_ = 0;          // in a session: so many of the program's

@@ -42,7 +42,7 @@ void Evaluator::put_simple(NodeId node, const Context& context, Target& target) 
   put_thing({&noun, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
 }
 
-void Evaluator::put_thing(const Described& described, Target& target) {
+void Evaluator::put_thing(const ThingView& described, Target& target) {
   const Noun& noun = *described.noun;
   if (target.kind == Target::Kind::discarded) return;
   if (target.kind == Target::Kind::bare) {
@@ -70,7 +70,7 @@ void Evaluator::put_thing(const Described& described, Target& target) {
                                            : "write it after `material:`, or as a material's `color`");
 }
 
-bool Evaluator::make(const Described& described, void* room) {
+bool Evaluator::make(const ThingView& described, void* room) {
   const Noun& noun = *described.noun;
   for (const PropertyValue& p : described.properties) {
     const Property& property = noun.properties[p.id];
@@ -83,7 +83,7 @@ bool Evaluator::make(const Described& described, void* room) {
   return false;
 }
 
-std::optional<scene::ShapeRef> Evaluator::shape(const Described& described) {
+std::optional<scene::ShapeRef> Evaluator::shape(const ThingView& described) {
   if (described.thing && described.thing->shape) return described.thing->shape;
   Room room(described.noun->maker);
   if (!make(described, room.get())) return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
   return thing.shape;
 }
 
-std::optional<ObjectAttributes> Evaluator::attributes_of(const Described& described, const Content* content) {
+std::optional<ObjectAttributes> Evaluator::attributes_of(const ThingView& described, const Content* content) {
   ObjectAttributes attributes_of;
   const auto apply = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
@@ -120,7 +120,7 @@ std::optional<ObjectAttributes> Evaluator::attributes_of(const Described& descri
   return attributes_of;
 }
 
-void Evaluator::put_shape(const Described& described, Target& target) {
+void Evaluator::put_shape(const ThingView& described, Target& target) {
   if (unsure_ > 0 || is_poisoned(described.properties)) return;
   ++target.things;
   const Noun& noun = *described.noun;
@@ -191,7 +191,7 @@ void Evaluator::remember_places(Span place) {
 }
 
 // A solid whose material lets light through and does not say how it bends it.
-void Evaluator::remark_medium(const Described& described, const Content* content, scene::ShapeRef made) {
+void Evaluator::remark_medium(const ThingView& described, const Content* content, scene::ShapeRef made) {
   const Value* material = nullptr;
   const auto look = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
@@ -214,7 +214,7 @@ void Evaluator::remark_medium(const Described& described, const Content* content
   }
 }
 
-bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
+bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
   const std::string_view open = builder_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.noun->name;
@@ -228,7 +228,7 @@ bool Evaluator::is_operand(const Described& described, scene::ShapeRef made) {
   return false;
 }
 
-void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const Described& described,
+void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
                               Target& target) {
   if (target.noun && target.noun->category == Category::combination) {
     fail("E0402", described.place,
@@ -246,7 +246,7 @@ void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& att
   }
 }
 
-void Evaluator::put_light(const Described& described, Target& target) {
+void Evaluator::put_light(const ThingView& described, Target& target) {
   if (unsure_ > 0 || is_poisoned(described.properties)) return;
   ++target.things;
   const Noun& noun = *described.noun;
@@ -266,7 +266,7 @@ void Evaluator::put_light(const Described& described, Target& target) {
   light.origin = builder_.origin(described.place);
 }
 
-void Evaluator::put_camera(const Described& described, Target& target) {
+void Evaluator::put_camera(const ThingView& described, Target& target) {
   if (target.kind != Target::Kind::scene) {
     fail("E0403", described.place, "a camera stands at the top level, not inside a thing");
     return;

@@ -103,7 +103,7 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   const Ast& ast = context.ast();
   const Override parts = ast.override_(node);
   const Thing& old = base.thing();
-  Gathered gathered{old.noun, old.def, old.properties, {}, false};
+  PropertyBlock gathered{old.noun, old.def, old.properties, {}, false};
   Target target;
   target.properties = &gathered;
   target.owner = ast.span(parts.base);
@@ -128,7 +128,7 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   thing->chain = old.chain;
   thing->default_name = old.default_name;
   const bool keeps_inside =
-      std::ranges::all_of(gathered.written, [&](const Gathered::Written& w) { return is_dress(*old.noun, w.id); });
+      std::ranges::all_of(gathered.written, [&](const PropertyBlock::Written& w) { return is_dress(*old.noun, w.id); });
   if (takes_things) {
     if (target.things == had) {
       thing->content = old.content;
@@ -274,7 +274,7 @@ void Evaluator::run_def(const Thing& thing, Content& content) {
   }
   if (is_fine && fill_defaults(def, *frame.get(), thing.span)) {
     def.was_run = true;
-    Gathered gathered{thing.noun, nullptr, {}, {}, false};
+    PropertyBlock gathered{thing.noun, nullptr, {}, {}, false};
     Target target;
     target.kind = Target::Kind::content;
     target.objects = &content.members;

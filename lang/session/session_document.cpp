@@ -38,7 +38,7 @@ std::shared_ptr<const Document::Chunk> make_chunk(std::vector<StatementRef> stat
 
 std::uint8_t traits_of(const Statement& statement) {
   const auto trait = [](bool holds, Trait which) { return holds ? static_cast<int>(which) : 0; };
-  const Made& made = statement.made;
+  const StatementResult& made = statement.made;
   return static_cast<std::uint8_t>(
       trait(statement.declares(), trait_declares) | trait(statement.kind == Kind::property, trait_sets_property) |
       trait(!made.objects.empty(), trait_objects) | trait(!made.lights.empty(), trait_lights) |

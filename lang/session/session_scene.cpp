@@ -62,7 +62,7 @@ void SessionScene::show_settings(const Document& document) {
   bool has_camera = false, has_ambient = false;
   const Noun& noun = program_.nouns.scene();
   for_each_with(document, trait_lights | trait_camera | trait_properties, [&](const Statement& statement) {
-    const Made& made = statement.made;
+    const StatementResult& made = statement.made;
     scene.lights.insert(scene.lights.end(), made.lights.begin(), made.lights.end());
     if (made.camera) {
       scene.camera = *made.camera;

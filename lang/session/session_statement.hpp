@@ -36,7 +36,7 @@ struct Statement {
   std::vector<Symbol> uses;    ///< sorted; names of other statements
   std::vector<Symbol> globals; ///< sorted; names that no statement declares
 
-  Made made;
+  StatementResult made;
   Box3 finite_box; ///< around its visible finite objects
 
   bool declares() const {

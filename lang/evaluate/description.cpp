@@ -94,9 +94,10 @@ bool equal(const scene::Placement& a, const scene::Placement& b) {
 
 } // namespace
 
-Builder::Builder(const SourceMap& sources, scene::Scene& scene) : sources_(sources), scene_(scene) {}
+DescriptionWriter::DescriptionWriter(const SourceMap& sources, scene::Scene& scene)
+    : sources_(sources), scene_(scene) {}
 
-FieldValue Builder::field_value(const Property& property, const Value& value) {
+FieldValue DescriptionWriter::field_value(const Property& property, const Value& value) {
   switch (property.type) {
   case PropertyType::number:
     return value.number();
@@ -129,7 +130,7 @@ FieldValue Builder::field_value(const Property& property, const Value& value) {
   return 0.0;
 }
 
-void Builder::apply(ObjectAttributes& attributes_of, const Property& property, const Value& value) {
+void DescriptionWriter::apply(ObjectAttributes& attributes_of, const Property& property, const Value& value) {
   switch (property.common) {
   case Common::at:
     attributes_of.at = value.vector();
@@ -157,7 +158,7 @@ void Builder::apply(ObjectAttributes& attributes_of, const Property& property, c
   }
 }
 
-scene::MaterialId Builder::material(const Value& value) {
+scene::MaterialId DescriptionWriter::material(const Value& value) {
   if (value.is(ValueKind::thing) && value.thing().noun->category == Category::material) {
     const Thing& thing = value.thing();
     if (thing.built == 0xffffffff) {
@@ -176,13 +177,13 @@ scene::MaterialId Builder::material(const Value& value) {
   return add(made);
 }
 
-scene::MaterialId Builder::plain(const Color& color) {
+scene::MaterialId DescriptionWriter::plain(const Color& color) {
   const auto [found, is_new] = plain_.try_emplace(color, static_cast<scene::MaterialId>(scene_.materials.size()));
   if (is_new) scene_.materials.emplace_back().color = color;
   return found->second;
 }
 
-scene::MaterialId Builder::add(const scene::Material& material) {
+scene::MaterialId DescriptionWriter::add(const scene::Material& material) {
   const std::uint64_t h = hash_of(material);
   for (auto [i, end] = materials_.equal_range(h); i != end; ++i) {
     if (scene_.materials[static_cast<std::size_t>(i->second)] == material) return i->second;
@@ -193,7 +194,7 @@ scene::MaterialId Builder::add(const scene::Material& material) {
   return id;
 }
 
-scene::PatternId Builder::pattern(const Thing& thing) {
+scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   if (thing.built != 0xffffffff) return scene::PatternId{thing.built};
   scene::Pattern made;
   made.kind = thing.noun->pattern;
@@ -212,13 +213,14 @@ scene::PatternId Builder::pattern(const Thing& thing) {
   return scene::PatternId{thing.built};
 }
 
-scene::NameId Builder::name(std::string_view text) {
+scene::NameId DescriptionWriter::name(std::string_view text) {
   const auto [found, is_new] = names_.try_emplace(std::string(text), static_cast<scene::NameId>(scene_.names.size()));
   if (is_new) scene_.names.emplace_back(text);
   return found->second;
 }
 
-std::optional<scene::TransformId> Builder::transform(const ObjectAttributes& attributes_of, const Chain* chain) {
+std::optional<scene::TransformId> DescriptionWriter::transform(const ObjectAttributes& attributes_of,
+                                                               const Chain* chain) {
   const bool has_chain = chain && !chain->steps.empty();
   if (!has_chain && attributes_of.rotate == Vec3{} && attributes_of.scale == Vec3{1, 1, 1}) return scene::no_transform;
   scene::Placement placement{
@@ -237,7 +239,7 @@ std::optional<scene::TransformId> Builder::transform(const ObjectAttributes& att
   return id;
 }
 
-scene::Origin Builder::origin(Span span) {
+scene::Origin DescriptionWriter::origin(Span span) {
   const bool is_in_last_line =
       span.file == last_line_.file && span.begin >= last_line_.begin && span.begin < last_line_.end;
   if (!is_in_last_line) {
@@ -256,7 +258,7 @@ scene::Origin Builder::origin(Span span) {
   return {span.file, last_line_number_};
 }
 
-scene::ShapeRef Builder::united(scene::ShapeRef group) {
+scene::ShapeRef DescriptionWriter::united(scene::ShapeRef group) {
   if (group.kind != scene::kind_of<scene::Group>) return group;
   if (const auto found = united_.find(group.index); found != united_.end()) return found->second;
   scene::Combination made{scene::Combination::Operation::unite, scene_.shapes.get<scene::Group>(group).members};
@@ -266,14 +268,14 @@ scene::ShapeRef Builder::united(scene::ShapeRef group) {
   return ref;
 }
 
-std::string_view Builder::open_member(const std::vector<scene::Object>& members) {
+std::string_view DescriptionWriter::open_member(const std::vector<scene::Object>& members) {
   for (const scene::Object& member : members) {
     if (const std::string_view open = open_part(member.shape); !open.empty()) return open;
   }
   return {};
 }
 
-std::string_view Builder::open_part(scene::ShapeRef shape) {
+std::string_view DescriptionWriter::open_part(scene::ShapeRef shape) {
   const bool is_composite =
       shape.kind == scene::kind_of<scene::Group> || shape.kind == scene::kind_of<scene::Combination>;
   const std::uint64_t key = std::uint64_t{shape.index} << 8 | shape.kind;

@@ -24,9 +24,9 @@ struct ObjectAttributes {
 
 /// Puts values into the scene description: materials, patterns, names and turns once each, shapes into their tables.
 /// All values must have passed `check_value`.
-class Builder {
+class DescriptionWriter {
 public:
-  Builder(const SourceMap& sources, scene::Scene& scene);
+  DescriptionWriter(const SourceMap& sources, scene::Scene& scene);
 
   /// As the field's `set` takes it.
   scene::FieldValue field_value(const Property& property, const Value& value);

@@ -22,7 +22,7 @@ Evaluated evaluate(Program& program, Report& report, const Limits& limits, const
 
 Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
                      const char* stack_limit)
-    : program_(program), report_(report), limits_(limits), stop_(stop), builder_(program.sources, scene_),
+    : program_(program), report_(report), limits_(limits), stop_(stop), writer_(program.sources, scene_),
       stack_limit_(stack_limit) {
   scene_properties_.noun = &program.nouns.scene();
 }
@@ -192,7 +192,7 @@ void Evaluator::finish_scene() {
   check_media(scene_.objects);
   for (const PropertyValue& p : scene_properties_.values) {
     const Property& property = scene_properties_.noun->properties[p.id];
-    property.field->set(&scene_, builder_.field_value(property, p.value));
+    property.field->set(&scene_, writer_.field_value(property, p.value));
   }
   if (const auto problem = scene::check(scene_)) {
     Span place;

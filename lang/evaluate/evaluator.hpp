@@ -90,7 +90,7 @@ public:
   const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
   scene::Scene& scene() { return scene_; }
   scene::FieldValue scene_value(const PropertyValue& property) {
-    return builder_.field_value(scene_properties_.noun->properties[property.id], property.value);
+    return writer_.field_value(scene_properties_.noun->properties[property.id], property.value);
   }
 
 private:
@@ -285,7 +285,7 @@ private:
   const std::atomic<bool>* stop_;
   Heap heap_;
   scene::Scene scene_;
-  Builder builder_;
+  DescriptionWriter writer_;
 
   std::uint64_t steps_ = 0;
   std::uint64_t next_look_ = 0;

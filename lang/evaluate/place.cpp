@@ -74,7 +74,7 @@ bool Evaluator::make(const ThingView& described, void* room) {
   const Noun& noun = *described.noun;
   for (const PropertyValue& p : described.properties) {
     const Property& property = noun.properties[p.id];
-    if (property.common == Common::none) property.field->set(room, builder_.field_value(property, p.value));
+    if (property.common == Common::none) property.field->set(room, writer_.field_value(property, p.value));
   }
   const std::optional<scene::Problem> problem = noun.maker.check(room);
   if (!problem) return true;
@@ -98,7 +98,7 @@ std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
   Room room(thing.noun->maker);
   for (const PropertyValue& p : thing.properties) {
     const Property& property = thing.noun->properties[p.id];
-    if (property.common == Common::none) property.field->set(room.get(), builder_.field_value(property, p.value));
+    if (property.common == Common::none) property.field->set(room.get(), writer_.field_value(property, p.value));
   }
   if (thing.noun->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
   thing.shape = thing.noun->maker.add(scene_.shapes, room.get());
@@ -112,7 +112,7 @@ std::optional<ObjectAttributes> Evaluator::attributes_of(const ThingView& descri
     for (const PropertyValue& p : properties) {
       if ((p.id & parameter_bit) != 0) continue;
       const Property& property = described.noun->properties[p.id];
-      if (property.common != Common::none) builder_.apply(attributes_of, property, p.value);
+      if (property.common != Common::none) writer_.apply(attributes_of, property, p.value);
     }
   };
   if (content) apply(content->defaults);
@@ -144,7 +144,7 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
     if (target.things == 1) target.is_first_missing = true;
   }
   if (!attributes->is_visible) return;
-  const auto turn = builder_.transform(*attributes, described.chain);
+  const auto turn = writer_.transform(*attributes, described.chain);
   if (!turn) {
     fail("E0406", described.place,
          "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
@@ -157,7 +157,7 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
   if (target.noun && target.noun->category == Category::combination) {
     if (!is_operand(described, *made)) return;
-    made = builder_.united(*made);
+    made = writer_.united(*made);
     remember_places(described.place);
   }
   count_objects(1, described.place);
@@ -169,7 +169,7 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   object.material = attributes->material;
   object.name = attributes->name;
   if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
-  object.origin = builder_.origin(described.place);
+  object.origin = writer_.origin(described.place);
   object.casts_shadow = attributes->casts_shadow;
 }
 
@@ -206,7 +206,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const PropertyValue* refract = thing.find(*thing.noun->find(std::string_view("refract")));
   const PropertyValue* ior = thing.find(*thing.noun->find(std::string_view("ior")));
   const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
-  if (!bends_nothing || !builder_.open_part(made).empty()) return;
+  if (!bends_nothing || !writer_.open_part(made).empty()) return;
   if (Diagnostic* d = report_.remark("W0106", refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
     d->label = "`ior` is 1 unless it is written";
@@ -215,7 +215,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
 }
 
 bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
-  const std::string_view open = builder_.open_part(made);
+  const std::string_view open = writer_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.noun->name;
   fail("E0401", described.place,
@@ -263,7 +263,7 @@ void Evaluator::put_light(const ThingView& described, Target& target) {
   if (described.chain) light.chain = described.chain->steps;
   light.name = attributes->name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
-  light.origin = builder_.origin(described.place);
+  light.origin = writer_.origin(described.place);
 }
 
 void Evaluator::put_camera(const ThingView& described, Target& target) {
@@ -284,7 +284,7 @@ void Evaluator::put_camera(const ThingView& described, Target& target) {
   Room room(described.noun->maker);
   if (!make(described, room.get())) return;
   scene_.camera = *static_cast<const scene::Camera*>(room.get());
-  scene_.camera_origin = builder_.origin(described.place);
+  scene_.camera_origin = writer_.origin(described.place);
 }
 
 } // namespace rt::lang

@@ -36,7 +36,7 @@ scene::NameId Evaluator::default_name(Symbol symbol) {
   if (symbol == no_symbol) return scene::no_name;
   const auto i = static_cast<std::size_t>(symbol);
   if (i >= default_names_.size()) default_names_.resize(std::max(i + 1, program_.symbols.size()), scene::no_name);
-  if (default_names_[i] == scene::no_name) default_names_[i] = builder_.name(name(symbol));
+  if (default_names_[i] == scene::no_name) default_names_[i] = writer_.name(name(symbol));
   return default_names_[i];
 }
 

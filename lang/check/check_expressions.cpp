@@ -63,12 +63,12 @@ Known Checker::check_binary(Unit& unit, NodeId node) {
   const Known left = check_expression(unit, unit.ast.left(node));
   check_expression(unit, unit.ast.right(node));
   Known known;
-  if (!left.is_thing() || !left.noun->is_shape()) return known;
+  if (!left.is_thing() || !left.type->is_shape()) return known;
   using Operation = scene::Combination::Operation;
   const Op op = unit.ast.op(node);
   if (op != Op::unite && op != Op::intersect && op != Op::subtract) return known;
   known.what = Known::What::thing;
-  known.noun = &program_.nouns.combination(op == Op::unite       ? Operation::unite
+  known.type = &program_.types.combination(op == Op::unite       ? Operation::unite
                                            : op == Op::intersect ? Operation::intersect
                                                                  : Operation::subtract);
   return known;
@@ -213,7 +213,7 @@ void Checker::check_thing_call(Unit& unit, NodeId node, const Known& callee) {
   const Call call = unit.ast.call(node);
   Diagnostic* d = report_.error("E0209", unit.ast.span(node));
   if (!d) return;
-  const std::string_view noun = callee.function ? name(callee.function->name) : callee.noun->name;
+  const std::string_view type = callee.function ? name(callee.function->name) : callee.type->name;
   std::string properties;
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const NodeId argument = call.arguments[i];
@@ -223,14 +223,14 @@ void Checker::check_thing_call(Unit& unit, NodeId node, const Known& callee) {
     } else if (callee.function && i < callee.function->parameters.size()) {
       properties += fmt::format("{}: {}", name(callee.function->parameters[i].name),
                                 program_.sources.text(unit.ast.span(argument)));
-    } else if (!callee.function && i < callee.noun->properties.size()) {
+    } else if (!callee.function && i < callee.type->properties.size()) {
       properties +=
-          fmt::format("{}: {}", callee.noun->properties[i].name, program_.sources.text(unit.ast.span(argument)));
+          fmt::format("{}: {}", callee.type->properties[i].name, program_.sources.text(unit.ast.span(argument)));
     }
   }
-  d->message = fmt::format("`{}` is a thing, and things take braces", noun);
+  d->message = fmt::format("`{}` is a thing, and things take braces", type);
   d->label =
-      properties.empty() ? fmt::format("write `{} {{}}`", noun) : fmt::format("write `{} {{ {} }}`", noun, properties);
+      properties.empty() ? fmt::format("write `{} {{}}`", type) : fmt::format("write `{} {{ {} }}`", type, properties);
 }
 
 void Checker::check_function_call(Unit& unit, NodeId node, const FunctionInfo& function) {
@@ -337,12 +337,12 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
       }
       return known;
     }
-    if (!found->function && !found->noun) return known;
+    if (!found->function && !found->type) return known;
     known.function = found->function;
-    known.noun = found->noun;
-    known.what = found->noun || found->function->kind == Kind::def ? Known::What::thing : Known::What::function;
+    known.type = found->type;
+    known.what = found->type || found->function->kind == Kind::def ? Known::What::thing : Known::What::function;
     if (found->function && found->function->kind == Kind::def)
-      known.noun = &program_.nouns.group(), known.is_bare_noun = true;
+      known.type = &program_.types.group(), known.is_bare_noun = true;
     return known;
   }
   if (!base.is_thing() || !is_called) return known;
@@ -367,7 +367,7 @@ Known Checker::check_override(Unit& unit, NodeId node) {
   Known base = check_expression(unit, parts.base);
   Owner owner;
   if (base.is_thing()) {
-    owner.noun = base.noun;
+    owner.type = base.type;
     owner.def = base.function;
   } else if (base.what == Known::What::nothing) {
     owner.is_unknown = true;
@@ -381,22 +381,22 @@ Known Checker::check_override(Unit& unit, NodeId node) {
   }
   const bool is_block = unit.ast.kind(parts.block) == Kind::block;
   if (is_block) check_block(unit, parts.block, owner);
-  if (is_block && base.is_bare_noun && !base.function && is_simple(unit, parts.block, *base.noun))
-    unit.ast[node].extra = static_cast<std::uint16_t>(program_.nouns.index(*base.noun) + 1);
+  if (is_block && base.is_bare_noun && !base.function && is_simple(unit, parts.block, *base.type))
+    unit.ast[node].extra = static_cast<std::uint16_t>(program_.types.index(*base.type) + 1);
   base.is_bare_noun = false;
   return base;
 }
 
 // Nothing but properties, each once and of one form: evaluated without further ado.
-bool Checker::is_simple(const Unit& unit, NodeId block, const Noun& noun) const {
-  if (noun.is_composite() || unit.ast.children(block).size() > PropertyList::most) return false;
+bool Checker::is_simple(const Unit& unit, NodeId block, const NodeType& type) const {
+  if (type.is_composite() || unit.ast.children(block).size() > PropertyList::most) return false;
   int form = 0;
   std::uint64_t seen = 0;
   for (const NodeId item : unit.ast.children(block)) {
     const Node& node = unit.ast[item];
     if (node.kind != Kind::property || node.extra == 0 || node.extra > 64) return false;
     const std::uint64_t bit = std::uint64_t{1} << (node.extra - 1);
-    const int own_form = noun.properties[static_cast<std::size_t>(node.extra - 1)].form;
+    const int own_form = type.properties[static_cast<std::size_t>(node.extra - 1)].form;
     if ((seen & bit) != 0 || (form != 0 && own_form != 0 && form != own_form)) return false;
     seen |= bit;
     if (own_form != 0) form = own_form;

@@ -37,7 +37,7 @@ void Checker::declare_library() {
     Binding* binding = declare(entry.name, entry.span, Binding::What::value);
     binding->slot = entry.slot;
     binding->known.what = Known::What::thing;
-    binding->known.noun = &program_.nouns.material();
+    binding->known.type = &program_.types.material();
   }
 }
 
@@ -59,7 +59,7 @@ void Checker::check_main() {
   begin_activation();
   top_scope_ = scopes_.size();
   Owner owner;
-  owner.noun = &program_.nouns.scene();
+  owner.type = &program_.types.scene();
   open_scope(&unit, unit.ast.root, owner);
   check_items(unit, unit.ast.root);
   close_scope();
@@ -73,7 +73,7 @@ void Checker::check_module(ModuleInfo& module) {
   begin_activation();
   top_scope_ = scopes_.size();
   Owner owner;
-  owner.noun = &program_.nouns.scene();
+  owner.type = &program_.types.scene();
   open_scope(module.unit, module.unit->ast.root, owner);
   check_items(*module.unit, module.unit->ast.root);
   for (std::size_t i = scopes_.back().first_binding; i < bindings_.size(); ++i) {
@@ -82,7 +82,7 @@ void Checker::check_module(ModuleInfo& module) {
     if (binding.what == Binding::What::error) continue;
     const FunctionInfo* function =
         binding.what == Binding::What::function ? &program_.functions[binding.slot] : nullptr;
-    module.exports.push_back({binding.name, binding.slot, function, binding.known.noun});
+    module.exports.push_back({binding.name, binding.slot, function, binding.known.type});
   }
   close_scope();
   module.frame_size = end_activation();
@@ -128,7 +128,7 @@ void Checker::hoist_function(Unit& unit, NodeId item) {
     binding->known.what = Known::What::function;
   } else {
     binding->known.what = Known::What::thing;
-    binding->known.noun = &program_.nouns.group();
+    binding->known.type = &program_.types.group();
     binding->known.is_bare_noun = true;
   }
 }
@@ -296,7 +296,7 @@ void Checker::check_bind(Unit& unit, NodeId item) {
   known.is_bare_noun = false;
   binding->known = known;
   const Owner& owner = scopes_.back().owner;
-  binding->may_be_property = (owner.noun && owner.noun->find(binding->name)) ||
+  binding->may_be_property = (owner.type && owner.type->find(binding->name)) ||
                              (owner.def && !owner.is_def_body && owner.def->find(binding->name));
 }
 
@@ -308,7 +308,7 @@ void Checker::check_function_body(Unit& unit, NodeId node) {
   add_parameters(unit, info);
   if (info.kind == Kind::def) {
     Owner owner;
-    owner.noun = &program_.nouns.group();
+    owner.type = &program_.types.group();
     owner.def = &info;
     owner.is_def_body = true;
     if (unit.ast.kind(info.body) == Kind::block) check_block(unit, info.body, owner);
@@ -336,7 +336,7 @@ void Checker::add_parameters(Unit& unit, FunctionInfo& info) {
     Binding* binding = declare(unit, parameter.node, Binding::What::value);
     binding->use = use;
     parameter.slot = binding->slot;
-    if (info.kind == Kind::def && program_.nouns.group().find(parameter.name)) {
+    if (info.kind == Kind::def && program_.types.group().find(parameter.name)) {
       if (Diagnostic* d = report_.error("E0211", span)) {
         d->message = fmt::format("a parameter of a `def` cannot be called `{}`", name(parameter.name));
         d->label = "every thing has a property of that name";
@@ -370,7 +370,7 @@ void Checker::set_loop_frame(Unit& unit, NodeId node) {
 // What it says is asked once the scene is whole, so it cannot stand in what may run any number of times, or never.
 void Checker::check_expect(Unit& unit, NodeId item) {
   const ExpectItem expect = unit.ast.expect_item(item);
-  if (scopes_.back().owner.noun != &program_.nouns.scene()) {
+  if (scopes_.back().owner.type != &program_.types.scene()) {
     if (Diagnostic* d = report_.error("E0217", unit.ast.span(item))) {
       d->message = "`expect` stands at the top level, or in a `for` or `if` there";
       d->label = "it is about the scene as a whole";

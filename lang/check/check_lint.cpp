@@ -41,7 +41,7 @@ double as_radians(double number) {
 
 NameUses::What what_is(const Known& known) {
   if (!known.is_thing()) return NameUses::What::value;
-  return known.noun->is_placeable() ? NameUses::What::thing : NameUses::What::material;
+  return known.type->is_placeable() ? NameUses::What::thing : NameUses::What::material;
 }
 
 } // namespace
@@ -72,7 +72,7 @@ std::uint32_t Checker::declare_use(const Unit& unit, NodeId name_node, NameUses:
   if (!program_.uses) return NameUses::none;
   const Symbol symbol = unit.ast.symbol(name_node);
   const Span span = unit.ast.span(name_node);
-  if (what != NameUses::What::parameter && program_.nouns.find(name(symbol))) {
+  if (what != NameUses::What::parameter && program_.types.find(name(symbol))) {
     if (Diagnostic* d = report_.remark("W0105", span)) {
       d->message = fmt::format("the name `{0}` hides the thing `{0}`", name(symbol));
       d->label = fmt::format("from here on `{} {{ … }}` is a copy of this", name(symbol));

@@ -12,7 +12,7 @@ void Checker::check_property(Unit& unit, NodeId item) {
   check_expression(unit, unit.ast.named(item).value);
   const Owner& owner = scopes_.back().owner;
   if (owner.is_unknown) return;
-  if (!owner.noun) {
+  if (!owner.type) {
     if (Diagnostic* d = report_.error("E0213", unit.ast.named_span(item, program_.symbols))) {
       const std::string_view word = name(unit.ast.named(item).symbol);
       d->message = fmt::format("`{}:` sets a property, and there is no thing here that has one", word);
@@ -26,9 +26,9 @@ void Checker::check_property(Unit& unit, NodeId item) {
 void Checker::check_property_name(Unit& unit, NodeId item, const Owner& owner) {
   const Symbol symbol = unit.ast.named(item).symbol;
   if (owner.def && !owner.is_def_body && owner.def->find(symbol)) return;
-  if (const auto found = owner.noun->find(symbol)) {
+  if (const auto found = owner.type->find(symbol)) {
     if (!owner.def) unit.ast[item].extra = static_cast<std::uint16_t>(*found + 1);
-    if (report_.wants_remarks()) check_angle_property(unit, item, owner.noun->properties[*found]);
+    if (report_.wants_remarks()) check_angle_property(unit, item, owner.type->properties[*found]);
     return;
   }
   report_unknown_property(unit, item, owner);
@@ -39,7 +39,7 @@ std::string Checker::list_properties(const Owner& owner) const {
   if (owner.def && !owner.is_def_body) {
     for (const FunctionInfo::Parameter& p : owner.def->parameters) names.push_back(name(p.name));
   }
-  for (const Property& p : owner.noun->properties) names.push_back(p.name);
+  for (const Property& p : owner.type->properties) names.push_back(p.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -48,10 +48,10 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
   const Named property = unit.ast.named(item);
   const std::string_view word = name(property.symbol);
   const std::string_view value = program_.sources.text(unit.ast.span(property.value));
-  const bool is_scene = owner.noun == &program_.nouns.scene();
+  const bool is_scene = owner.type == &program_.types.scene();
   const bool is_def = owner.def != nullptr;
   const std::string whose =
-      is_scene ? "the scene" : fmt::format("`{}`", is_def ? name(owner.def->name) : owner.noun->name);
+      is_scene ? "the scene" : fmt::format("`{}`", is_def ? name(owner.def->name) : owner.type->name);
   Diagnostic* d = report_.error("E0204", span);
   if (!d) return;
   d->message = fmt::format("{} has no property `{}`", whose, word);
@@ -62,13 +62,13 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
     d->label = fmt::format("to keep something for later, write `{} = …`", word);
     return;
   }
-  if ((word == "color" || word == "colour") && owner.noun->is_shape()) {
+  if ((word == "color" || word == "colour") && owner.type->is_shape()) {
     d->label = is_short ? fmt::format("a colour is a material: write `material: {}`", value)
                         : "a colour is a material: write `material: …`";
     return;
   }
   const bool is_material_property =
-      owner.noun->is_shape() && program_.nouns.material().find(property.symbol).has_value();
+      owner.type->is_shape() && program_.types.material().find(property.symbol).has_value();
   if (is_material_property) {
     d->label = is_short ? fmt::format("it belongs to the material: `material: material {{ {}: {} }}`", word, value)
                         : fmt::format("it belongs to the material: `material: material {{ {}: … }}`", word);
@@ -78,9 +78,9 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
   if (is_def && !owner.is_def_body) {
     for (const FunctionInfo::Parameter& p : owner.def->parameters) names.push_back(name(p.name));
   }
-  for (const Property& p : owner.noun->properties) names.push_back(p.name);
+  for (const Property& p : owner.type->properties) names.push_back(p.name);
   const auto guess = nearest(word, names);
-  const std::string other = dialect_property(word, owner.noun);
+  const std::string other = dialect_property(word, owner.type);
   if (!other.empty())
     d->label = other;
   else if (guess)
@@ -88,13 +88,13 @@ void Checker::report_unknown_property(const Unit& unit, NodeId item, const Owner
   if (is_scene)
     d->notes.push_back({std::nullopt, fmt::format("the scene takes {}", list_properties(owner))});
   else
-    d->notes.push_back({std::nullopt, fmt::format("`{}` takes {}", is_def ? name(owner.def->name) : owner.noun->name,
+    d->notes.push_back({std::nullopt, fmt::format("`{}` takes {}", is_def ? name(owner.def->name) : owner.type->name,
                                                   list_properties(owner))});
 }
 
 // Of the properties that stand in the block itself; what `if` and `for` put into it is seen when the program runs.
 void Checker::report_duplicates(const Unit& unit, NodeId block, const Owner& owner) {
-  if (!owner.noun || owner.is_unknown) return;
+  if (!owner.type || owner.is_unknown) return;
   std::vector<std::pair<Symbol, NodeId>> seen;
   const Property* form_owner = nullptr;
   NodeId form_item = no_node;
@@ -110,8 +110,8 @@ void Checker::report_duplicates(const Unit& unit, NodeId block, const Owner& own
       continue;
     }
     seen.emplace_back(symbol, item);
-    const auto found = owner.def ? std::nullopt : owner.noun->find(symbol);
-    const Property* property = found ? &owner.noun->properties[*found] : nullptr;
+    const auto found = owner.def ? std::nullopt : owner.type->find(symbol);
+    const Property* property = found ? &owner.type->properties[*found] : nullptr;
     if (!property || property->form == 0) continue;
     if (form_owner && form_owner->form != property->form) {
       if (Diagnostic* d = report_.error("E0206", unit.ast.named_span(item, program_.symbols))) {

@@ -28,9 +28,9 @@ void Checker::close_scope() {
 void Checker::report_masked_property(const Binding& binding, const Owner& owner) {
   Diagnostic* d = report_.error("E0207", binding.span);
   if (!d) return;
-  const bool is_scene = owner.noun == &program_.nouns.scene();
+  const bool is_scene = owner.type == &program_.types.scene();
   const std::string whose =
-      is_scene ? "the scene" : fmt::format("`{}`", owner.def ? name(owner.def->name) : owner.noun->name);
+      is_scene ? "the scene" : fmt::format("`{}`", owner.def ? name(owner.def->name) : owner.type->name);
   d->message = fmt::format("`{}` is a name here, and nothing reads it", name(binding.name));
   d->label = fmt::format("to set the property of {}, write `{}: …`", whose, name(binding.name));
 }
@@ -113,9 +113,9 @@ Known Checker::resolve_global(Unit& unit, NodeId node) {
     unit.ast.set_slot(node, static_cast<std::uint32_t>(index), pack(resolution, 0));
   };
   Known known;
-  if (const Noun* noun = program_.nouns.find(word)) {
-    found(Resolution::noun, program_.nouns.index(*noun));
-    known.what = Known::What::thing, known.noun = noun, known.is_bare_noun = true;
+  if (const NodeType* type = program_.types.find(word)) {
+    found(Resolution::type, program_.types.index(*type));
+    known.what = Known::What::thing, known.type = type, known.is_bare_noun = true;
   } else if (const auto builtin = find_builtin(word)) {
     found(Resolution::builtin, *builtin);
     known.what = Known::What::builtin, known.builtin = all_builtins()[*builtin];
@@ -136,7 +136,7 @@ std::vector<std::string_view> Checker::visible_names() const {
   std::vector<std::string_view> names;
   for (const Binding& binding : bindings_) names.push_back(name(binding.name));
   if (add_further_names_) (*add_further_names_)(names);
-  for (const Noun& noun : program_.nouns.all()) names.push_back(noun.name);
+  for (const NodeType& type : program_.types.all()) names.push_back(type.name);
   for (const Builtin* builtin : all_builtins()) names.push_back(builtin->name);
   for (const Constant& constant : constants()) names.push_back(constant.name);
   for (const CssColor& color : css_colors()) names.push_back(color.name);
@@ -204,7 +204,7 @@ void Checker::report_unknown_name(const Unit& unit, NodeId node) {
   for (std::size_t i = scopes_.size(); i-- > 0;) {
     const Owner& owner = scopes_[i].owner;
     const bool is_property =
-        (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.noun && owner.noun->find(symbol));
+        (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.type && owner.type->find(symbol));
     if (is_property && !find_css_color(word))
       return tell(
           "E0214", fmt::format("`{}` is a property here, not a name", word),

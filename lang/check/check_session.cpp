@@ -11,7 +11,7 @@ void Checker::check_session(std::span<TopItem> items, std::uint32_t& slots, cons
   activations_.back().slots = slots;
   top_scope_ = scopes_.size();
   Owner owner;
-  owner.noun = &program_.nouns.scene();
+  owner.type = &program_.types.scene();
   open_scope(nullptr, no_node, owner);
   const auto enter = [this](TopItem& item) {
     top_item_ = &item;

@@ -17,7 +17,7 @@ namespace rt::lang {
 /// What is known of a value without running anything.
 struct Known {
   enum class What : std::uint8_t { nothing, thing, function, builtin, module } what = What::nothing;
-  const Noun* noun = nullptr;             ///< of a thing; a def's is `group`
+  const NodeType* type = nullptr;         ///< of a thing; a def's is `group`
   const FunctionInfo* function = nullptr; ///< of a function; of a thing that a def makes: the def
   const Builtin* builtin = nullptr;
   const ModuleInfo* module = nullptr;
@@ -28,7 +28,7 @@ struct Known {
 
 /// The thing whose block is being read, which properties there belong to.
 struct Owner {
-  const Noun* noun = nullptr;        ///< null where no property is expected
+  const NodeType* type = nullptr;    ///< null where no property is expected
   const FunctionInfo* def = nullptr; ///< whose parameters come first
   bool is_unknown = false;           ///< some thing, known only when the program runs
   bool is_def_body = false;          ///< the inside of a `def`, where properties are defaults
@@ -159,7 +159,7 @@ private:
   void check_comprehension(Unit& unit, NodeId node);
   void check_record(Unit& unit, NodeId node);
   Known check_binary(Unit& unit, NodeId node);
-  bool is_simple(const Unit& unit, NodeId block, const Noun& noun) const;
+  bool is_simple(const Unit& unit, NodeId block, const NodeType& type) const;
   bool has_closure(const Unit& unit, NodeId node) const;
 
   // Properties (check_properties.cpp)

@@ -188,16 +188,16 @@ std::string dialect_name(std::string_view name) {
   return {};
 }
 
-std::string dialect_property(std::string_view property, const Noun* noun) {
+std::string dialect_property(std::string_view property, const NodeType* type) {
   for (const PropertyWord& word : properties) {
-    if (word.theirs != property || !noun->find(word.ours)) continue;
+    if (word.theirs != property || !type->find(word.ours)) continue;
     if (property == "diameter" || property == "d") return "write `radius`, half of the diameter";
     if (property == "opacity") return "write `refract`, which is 0 where nothing shines through";
     if (property == "roughness") return "write `shininess`: the higher, the smoother";
     return fmt::format("write `{}`", word.ours);
   }
-  if (noun->has_chain() && property == "move") return "write `at`, or `.move(…)` behind the thing";
-  if (noun->is_shape() && (property == "color1" || property == "color2")) return "colours belong to the material";
+  if (type->has_chain() && property == "move") return "write `at`, or `.move(…)` behind the thing";
+  if (type->is_shape() && (property == "color1" || property == "color2")) return "colours belong to the material";
   return {};
 }
 

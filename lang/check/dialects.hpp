@@ -9,6 +9,6 @@ namespace rt::lang {
 
 /// What another language calls something, and what it is here; empty where the word is not known.
 std::string dialect_name(std::string_view name);
-std::string dialect_property(std::string_view property, const Noun* noun);
+std::string dialect_property(std::string_view property, const NodeType* type);
 
 } // namespace rt::lang

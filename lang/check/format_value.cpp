@@ -77,7 +77,7 @@ void append_record(std::string& out, const Record& record, const SymbolTable& na
 }
 
 void append_thing(std::string& out, const Thing& thing, const SymbolTable& names) {
-  out += thing.def ? names.name(thing.def->name) : thing.noun->name;
+  out += thing.def ? names.name(thing.def->name) : thing.type->name;
   out += " {";
   bool is_first = true;
   for (const PropertyValue& p : thing.properties) {
@@ -87,7 +87,7 @@ void append_thing(std::string& out, const Thing& thing, const SymbolTable& names
     if (is_parameter)
       out += names.name(thing.def->parameters[p.id ^ parameter_bit].name);
     else
-      out += thing.noun->properties[p.id].name;
+      out += thing.type->properties[p.id].name;
     out += ": ";
     append(out, p.value, names);
   }

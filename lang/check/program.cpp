@@ -5,9 +5,9 @@
 namespace rt::lang {
 
 Program::Program() {
-  nouns.intern(symbols);
-  for (const Noun& noun : nouns.all()) {
-    for (const Property& property : noun.properties) {
+  types.intern(symbols);
+  for (const NodeType& type : types.all()) {
+    for (const Property& property : type.properties) {
       for (const std::string_view word : property.choices) {
         if (std::ranges::find(choices, word) == choices.end()) choices.push_back(word);
       }

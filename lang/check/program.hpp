@@ -68,7 +68,7 @@ struct ModuleInfo {
     Symbol name;
     std::uint32_t slot = 0;
     const FunctionInfo* function = nullptr; ///< a def or fn, else a value in `slot`
-    const Noun* noun = nullptr;             ///< of a thing, where it is known
+    const NodeType* type = nullptr;         ///< of a thing, where it is known
   };
   Unit* unit = nullptr;
   std::string path; ///< canonical
@@ -93,7 +93,7 @@ struct Define {
 
 /// Everything that was read for one scene, with the names resolved.
 struct Program {
-  Nouns nouns;
+  NodeTypes types;
   SymbolTable symbols;
   SourceMap sources;
   std::deque<Unit> units; ///< a deque: references stay
@@ -141,7 +141,7 @@ enum class Resolution : std::uint16_t {
   none,     ///< in error, reported
   local,    ///< slot of a frame
   function, ///< index in `Program::functions`, and the frame it was declared in
-  noun,     ///< index in `Program::nouns`
+  type,     ///< index in `Program::nouns`
   builtin,  ///< index in the table of built-in functions
   constant, ///< index in the table of built-in constants
   color,    ///< a CSS colour: 0xrrggbb

@@ -180,9 +180,9 @@ Value Evaluator::call_chain(const Value& base, const ChainMethod& method, NodeId
   ArgumentList arguments(*this, method.name, method.signature, place);
   if (!arguments.read(node, context)) return Value::poison();
   const Thing& thing = base.thing();
-  if (!thing.noun->has_chain())
+  if (!thing.type->has_chain())
     return fail("E0409", place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
-                thing.noun->category == Category::camera ? "a camera stands where `at` and `look_at` say" : "");
+                thing.type->category == Category::camera ? "a camera stands where `at` and `look_at` say" : "");
   std::optional<scene::Step> step = method.function(arguments);
   if (!step) return Value::poison();
   Ref<Thing> copy = copy_of(thing);

@@ -159,12 +159,12 @@ void DescriptionWriter::apply(ObjectAttributes& attributes_of, const Property& p
 }
 
 scene::MaterialId DescriptionWriter::material(const Value& value) {
-  if (value.is(ValueKind::thing) && value.thing().noun->category == Category::material) {
+  if (value.is(ValueKind::thing) && value.thing().type->category == Category::material) {
     const Thing& thing = value.thing();
     if (thing.built == 0xffffffff) {
       scene::Material made;
       for (const PropertyValue& p : thing.properties) {
-        const Property& property = thing.noun->properties[p.id];
+        const Property& property = thing.type->properties[p.id];
         property.field->set(&made, field_value(property, p.value));
       }
       thing.built = static_cast<std::uint32_t>(add(made));
@@ -197,10 +197,10 @@ scene::MaterialId DescriptionWriter::add(const scene::Material& material) {
 scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   if (thing.built != 0xffffffff) return scene::PatternId{thing.built};
   scene::Pattern made;
-  made.kind = thing.noun->pattern;
+  made.kind = thing.type->pattern;
   ObjectAttributes attributes_of;
   for (const PropertyValue& p : thing.properties) {
-    const Property& property = thing.noun->properties[p.id];
+    const Property& property = thing.type->properties[p.id];
     if (property.common == Common::none)
       property.field->set(&made, field_value(property, p.value));
     else

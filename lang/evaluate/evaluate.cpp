@@ -24,7 +24,7 @@ Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, con
                      const char* stack_limit)
     : program_(program), report_(report), limits_(limits), stop_(stop), writer_(program.sources, scene_),
       stack_limit_(stack_limit) {
-  scene_properties_.noun = &program.nouns.scene();
+  scene_properties_.type = &program.types.scene();
 }
 
 // What frames hold may refer to them in turn, through functions and the things of defs.
@@ -129,7 +129,7 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
   }
   const Ref<Frame> frame = make_frame(heap_, library_, info->frame_size);
   suspects_.push_back(frame);
-  PropertyBlock properties{&program_.nouns.scene(), nullptr, {}, {}, false};
+  PropertyBlock properties{&program_.types.scene(), nullptr, {}, {}, false};
   Target target;
   target.kind = Target::Kind::discarded;
   target.properties = &properties;
@@ -144,7 +144,7 @@ namespace {
 /// Whether two values are of one sort: what the command line gives must be what the scene reckons with.
 bool are_alike(const Value& a, const Value& b) {
   if (is_sequence(a) && is_sequence(b)) return true;
-  if (a.is(ValueKind::thing) && b.is(ValueKind::thing)) return a.thing().noun->category == b.thing().noun->category;
+  if (a.is(ValueKind::thing) && b.is(ValueKind::thing)) return a.thing().type->category == b.thing().type->category;
   return a.kind() == b.kind() || (a.is(ValueKind::color) && as_color(b));
 }
 
@@ -191,13 +191,13 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
 void Evaluator::finish_scene() {
   check_media(scene_.objects);
   for (const PropertyValue& p : scene_properties_.values) {
-    const Property& property = scene_properties_.noun->properties[p.id];
+    const Property& property = scene_properties_.type->properties[p.id];
     property.field->set(&scene_, writer_.field_value(property, p.value));
   }
   if (const auto problem = scene::check(scene_)) {
     Span place;
     for (const PropertyValue& p : scene_properties_.values) {
-      if (scene_properties_.noun->properties[p.id].name == problem->field) place = p.span;
+      if (scene_properties_.type->properties[p.id].name == problem->field) place = p.span;
     }
     fail("E0407", place, problem->message, {}, problem->advice);
     return;
@@ -215,7 +215,7 @@ void Evaluator::finish_scene() {
   }
   bool has_ambient = false;
   for (const PropertyValue& p : scene_properties_.values)
-    has_ambient |= scene_properties_.noun->properties[p.id].name == "ambient";
+    has_ambient |= scene_properties_.type->properties[p.id].name == "ambient";
   if (scene_.lights.empty() && !has_ambient) {
     scene_.lights.push_back(key_sun());
     note("N0002", "there is no light: " + describe_sun(key_sun()));
@@ -248,14 +248,14 @@ void Evaluator::try_function(const FunctionInfo& function) {
     expression(function.body, context);
     return;
   }
-  PropertyBlock properties{&program_.nouns.group(), nullptr, {}, {}, false};
+  PropertyBlock properties{&program_.types.group(), nullptr, {}, {}, false};
   scene::Group nowhere;
   std::vector<scene::Light> no_lights;
   Target target;
   target.kind = Target::Kind::content;
   target.objects = &nowhere.members;
   target.lights = &no_lights;
-  target.noun = &program_.nouns.group();
+  target.type = &program_.types.group();
   target.properties = &properties;
   items(function.body, context, target);
 }

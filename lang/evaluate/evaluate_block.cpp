@@ -131,7 +131,7 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
   if (!id && gathered->def) {
     if (const auto parameter = gathered->def->find(property.symbol)) id = parameter_id(*parameter);
   }
-  if (!id) id = gathered->noun->find(property.symbol);
+  if (!id) id = gathered->type->find(property.symbol);
   if (id) return set_property(*gathered, *id, std::move(value), ast.span(property.value), name_place);
   gathered->is_broken = true;
   if (Diagnostic* d = error("E0204", name_place)) {
@@ -139,8 +139,8 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
     if (gathered->def) {
       for (const FunctionInfo::Parameter& p : gathered->def->parameters) names.push_back(name(p.name));
     }
-    for (const Property& p : gathered->noun->properties) names.push_back(p.name);
-    const std::string_view whose = gathered->def ? name(gathered->def->name) : gathered->noun->name;
+    for (const Property& p : gathered->type->properties) names.push_back(p.name);
+    const std::string_view whose = gathered->def ? name(gathered->def->name) : gathered->type->name;
     const auto guess = nearest(name(property.symbol), names);
     d->message = fmt::format("`{}` has no property `{}`", whose, name(property.symbol));
     if (guess) d->label = fmt::format("did you mean `{}`?", *guess);
@@ -150,20 +150,20 @@ void Evaluator::property_item(NodeId node, const Context& context, Target& targe
 
 void Evaluator::set_property(PropertyBlock& gathered, std::uint16_t id, Value value, Span place, Span name_place) {
   const bool is_parameter = (id & parameter_bit) != 0;
-  const Property* property = is_parameter ? nullptr : &gathered.noun->properties[id];
+  const Property* property = is_parameter ? nullptr : &gathered.type->properties[id];
   const std::string_view word = is_parameter ? name(gathered.def->parameters[id ^ parameter_bit].name) : property->name;
   if (property && property->type == PropertyType::material && value.is(ValueKind::record))
     value = as_material(value.record(), place);
   for (const PropertyBlock::Written& other : gathered.written) {
     const bool is_twice = other.id == id;
     const bool clashes = property && property->form != 0 && (other.id & parameter_bit) == 0 &&
-                         gathered.noun->properties[other.id].form != 0 &&
-                         gathered.noun->properties[other.id].form != property->form;
+                         gathered.type->properties[other.id].form != 0 &&
+                         gathered.type->properties[other.id].form != property->form;
     if (!is_twice && !clashes) continue;
     if (Diagnostic* d = error(is_twice ? "E0205" : "E0206", name_place)) {
       d->message = is_twice ? fmt::format("`{}` is written twice", word)
                             : fmt::format("`{}` and `{}` are two ways to say the same",
-                                          gathered.noun->properties[other.id].name, word);
+                                          gathered.type->properties[other.id].name, word);
       if (clashes) d->label = "leave one of them out";
       d->notes.push_back({other.name, is_twice ? "first here" : "the other one is here"});
     }
@@ -176,7 +176,7 @@ void Evaluator::set_property(PropertyBlock& gathered, std::uint16_t id, Value va
     }
     if (property->form != 0) { // the form that is written drops the inherited other one
       std::erase_if(gathered.values, [&](const PropertyValue& p) {
-        const int form = (p.id & parameter_bit) != 0 ? 0 : gathered.noun->properties[p.id].form;
+        const int form = (p.id & parameter_bit) != 0 ? 0 : gathered.type->properties[p.id].form;
         return form != 0 && form != property->form;
       });
     }
@@ -198,7 +198,7 @@ void Evaluator::put(const Value& value, Span place, Target& target) {
     return;
   case ValueKind::thing: {
     const Thing& thing = value.thing();
-    return put_thing({thing.noun, thing.properties, thing.chain.get(), thing.span, &thing}, target);
+    return put_thing({thing.type, thing.properties, thing.chain.get(), thing.span, &thing}, target);
   }
   case ValueKind::list:
     for (const Value& element : value.items()) {

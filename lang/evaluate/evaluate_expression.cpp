@@ -79,8 +79,8 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
   }
   case Resolution::function:
     return function_value(program_.functions[index], outer(context.frame, frames_out(ast[node])), ast.span(node));
-  case Resolution::noun:
-    return new_thing(program_.nouns[index], ast.span(node));
+  case Resolution::type:
+    return new_thing(program_.types[index], ast.span(node));
   case Resolution::builtin:
     return all_builtins()[index];
   case Resolution::constant:
@@ -98,7 +98,7 @@ Value Evaluator::name_value(NodeId node, const Context& context) {
 
 Value Evaluator::function_value(const FunctionInfo& function, Frame* frame, Span place) {
   if (function.kind != Kind::def) return Ref<Closure>(heap_.make<Closure>(0, function, Ref<Frame>(frame)));
-  Ref<Thing> thing = new_thing(program_.nouns.group(), place);
+  Ref<Thing> thing = new_thing(program_.types.group(), place);
   thing->def = &function;
   thing->def_frame = Ref<Frame>(frame);
   thing->default_name = function.name;
@@ -268,15 +268,15 @@ Value Evaluator::thing_member(const Thing& thing, NodeId node, const Context& co
                   "only written parameters can be read");
     }
   }
-  if (const auto id = thing.noun->find(symbol)) {
+  if (const auto id = thing.type->find(symbol)) {
     if (const PropertyValue* found = thing.find(*id)) return found->value;
-    if (const auto value = default_value(*thing.noun, thing.noun->properties[*id])) return *value;
+    if (const auto value = default_value(*thing.type, thing.type->properties[*id])) return *value;
     return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "it has no value");
   }
   if (find_chain_method(word))
     return fail("E0212", place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word));
   std::vector<std::string_view> names;
-  for (const Property& property : thing.noun->properties) names.push_back(property.name);
+  for (const Property& property : thing.type->properties) names.push_back(property.name);
   const auto guess = nearest(word, names);
   return fail("E0212", place,
               fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),

@@ -9,8 +9,8 @@ namespace {
 bool is_placed(const Value& value) {
   if (value.is(ValueKind::list)) return !value.items().empty() && std::ranges::all_of(value.items(), is_placed);
   if (!value.is(ValueKind::thing)) return value.is_poison();
-  const Noun& noun = *value.thing().noun;
-  return noun.is_placeable() || noun.category == Category::camera;
+  const NodeType& type = *value.thing().type;
+  return type.is_placeable() || type.category == Category::camera;
 }
 
 bool is_expression(Kind kind) {
@@ -55,7 +55,7 @@ void Evaluator::begin_input(std::uint32_t slots, const char* stack_limit) {
 
 StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print) {
   StatementResult made;
-  scene_properties_ = {&program_.nouns.scene(), nullptr, {}, {}, false};
+  scene_properties_ = {&program_.types.scene(), nullptr, {}, {}, false};
   camera_place_.reset();
   recursion_ = unsure_ = 0;
   calls_ = nullptr;

@@ -23,7 +23,7 @@ struct Context {
 
 /// Properties as they come in, for a thing or for the scene.
 struct PropertyBlock {
-  const Noun* noun = nullptr;
+  const NodeType* type = nullptr;
   const FunctionInfo* def = nullptr; ///< its parameters come first
   std::vector<PropertyValue> values; ///< to begin with, what is inherited
   struct Written {
@@ -45,7 +45,7 @@ struct Target {
   Kind kind = Kind::bare;
   std::vector<scene::Object>* objects = nullptr;
   std::vector<scene::Light>* lights = nullptr;
-  const Noun* noun = nullptr;          ///< the composite that is filled
+  const NodeType* type = nullptr;      ///< the composite that is filled
   PropertyBlock* properties = nullptr; ///< null where the block is of something in error
   std::uint16_t depth = 0;             ///< of what was put in
   std::uint32_t things = 0;            ///< how many were put in
@@ -90,7 +90,7 @@ public:
   const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
   scene::Scene& scene() { return scene_; }
   scene::FieldValue scene_value(const PropertyValue& property) {
-    return writer_.field_value(scene_properties_.noun->properties[property.id], property.value);
+    return writer_.field_value(scene_properties_.type->properties[property.id], property.value);
   }
 
 private:
@@ -198,12 +198,12 @@ private:
   // Things (things.cpp)
   Value override_value(NodeId node, const Context& context);
   Value simple_thing(NodeId node, const Context& context);
-  void simple_properties(NodeId node, const Context& context, const Noun& noun, PropertyList& properties);
+  void simple_properties(NodeId node, const Context& context, const NodeType& type, PropertyList& properties);
   Value changed_thing(Value base, NodeId node, const Context& context);
   Value changed_record(const Record& base, NodeId node, const Context& context);
   Value as_material(const Record& record, Span place);
   void fail_unknown_material_property(const Record::Entry& entry);
-  Ref<Thing> new_thing(const Noun& noun, Span place);
+  Ref<Thing> new_thing(const NodeType& type, Span place);
   Ref<Thing> copy_of(const Thing& thing);
   static void give_name(Thing& thing, Symbol symbol);
   scene::NameId default_name(Symbol symbol);
@@ -214,12 +214,12 @@ private:
   Ref<Content> content(const Thing& thing);
   static bool is_same_instance(const Thing& known, const Thing& thing);
   void run_def(const Thing& thing, Content& content);
-  void begin_with(const Content& old, const Noun& noun, Content& members, Target& target);
-  void finish_content(Content& content, const Noun& noun, const Target& target, Span place);
+  void begin_with(const Content& old, const NodeType& type, Content& members, Target& target);
+  void finish_content(Content& content, const NodeType& type, const Target& target, Span place);
 
   // Putting things into the scene (placing.cpp)
   struct ThingView {
-    const Noun* noun;
+    const NodeType* type;
     std::span<const PropertyValue> properties;
     const Chain* chain;
     Span place;
@@ -234,7 +234,7 @@ private:
   std::optional<scene::ShapeRef> shared_shape(const Thing& thing);
   bool make(const ThingView& described, void* room);
   std::optional<ObjectAttributes> attributes_of(const ThingView& described, const Content* content);
-  std::optional<scene::ShapeRef> content_shape(Content& content, const Noun& noun, Span place);
+  std::optional<scene::ShapeRef> content_shape(Content& content, const NodeType& type, Span place);
   void remember_places(Span place);
   void remark_medium(const ThingView& described, const Content* content, scene::ShapeRef made);
   bool is_operand(const ThingView& described, scene::ShapeRef made);

@@ -203,7 +203,7 @@ bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
     const Thing& thing = value.thing();
     wanted = default_name(thing.default_name);
     for (const PropertyValue& p : thing.properties) {
-      const bool is_name = (p.id & parameter_bit) == 0 && thing.noun->properties[p.id].common == Common::name;
+      const bool is_name = (p.id & parameter_bit) == 0 && thing.type->properties[p.id].common == Common::name;
       if (is_name) wanted = writer_.name(p.value.text());
     }
     shape = thing.content ? thing.content->shape : thing.shape;
@@ -220,7 +220,7 @@ const Observer* Evaluator::observer() {
 
 // A scene of its own, because what is asked about need not stand in this one.
 const Observer* Evaluator::observer_of(const Value& value, Span place) {
-  if (!value.is(ValueKind::thing) || !value.thing().noun->is_shape()) {
+  if (!value.is(ValueKind::thing) || !value.thing().type->is_shape()) {
     fail("E0304", place, "a ray is tested against a shape, a group or a solid", "this is " + describe(value));
     return nullptr;
   }

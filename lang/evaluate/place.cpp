@@ -22,9 +22,10 @@ private:
   alignas(std::max_align_t) std::byte memory_[maker_room];
 };
 
-Span place_of(std::span<const PropertyValue> properties, const Noun& noun, std::string_view property, Span otherwise) {
+Span place_of(std::span<const PropertyValue> properties, const NodeType& type, std::string_view property,
+              Span otherwise) {
   for (const PropertyValue& p : properties) {
-    if ((p.id & parameter_bit) == 0 && noun.properties[p.id].name == property) return p.span;
+    if ((p.id & parameter_bit) == 0 && type.properties[p.id].name == property) return p.span;
   }
   return otherwise;
 }
@@ -36,24 +37,24 @@ bool Evaluator::is_poisoned(std::span<const PropertyValue> properties) {
 }
 
 void Evaluator::put_simple(NodeId node, const Context& context, Target& target) {
-  const Noun& noun = program_.nouns[static_cast<std::size_t>(context.ast()[node].extra - 1)];
+  const NodeType& type = program_.types[static_cast<std::size_t>(context.ast()[node].extra - 1)];
   PropertyList properties;
-  simple_properties(node, context, noun, properties);
-  put_thing({&noun, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
+  simple_properties(node, context, type, properties);
+  put_thing({&type, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
 }
 
 void Evaluator::put_thing(const ThingView& described, Target& target) {
-  const Noun& noun = *described.noun;
+  const NodeType& type = *described.type;
   if (target.kind == Target::Kind::discarded) return;
   if (target.kind == Target::Kind::bare) {
     if (!target.properties) return; // the block of something in error
-    const Noun& owner = *target.properties->noun;
+    const NodeType& owner = *target.properties->type;
     const std::string_view whose = target.properties->def ? name(target.properties->def->name) : owner.name;
     fail("E0405", described.place, fmt::format("things cannot be put into `{}`", whose), {},
          "a `group` and the combinations take things; other blocks hold properties only");
     return;
   }
-  switch (noun.category) {
+  switch (type.category) {
   case Category::shape:
   case Category::group:
   case Category::combination:
@@ -65,29 +66,29 @@ void Evaluator::put_thing(const ThingView& described, Target& target) {
   default:
     break;
   }
-  fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", noun.name), {},
-       noun.category == Category::material ? "keep it with `name = …`, or write it after `material:`"
+  fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", type.name), {},
+       type.category == Category::material ? "keep it with `name = …`, or write it after `material:`"
                                            : "write it after `material:`, or as a material's `color`");
 }
 
 bool Evaluator::make(const ThingView& described, void* room) {
-  const Noun& noun = *described.noun;
+  const NodeType& type = *described.type;
   for (const PropertyValue& p : described.properties) {
-    const Property& property = noun.properties[p.id];
+    const Property& property = type.properties[p.id];
     if (property.common == Common::none) property.field->set(room, writer_.field_value(property, p.value));
   }
-  const std::optional<scene::Problem> problem = noun.maker.check(room);
+  const std::optional<scene::Problem> problem = type.maker.check(room);
   if (!problem) return true;
-  fail("E0407", place_of(described.properties, noun, problem->field, described.place), problem->message, {},
+  fail("E0407", place_of(described.properties, type, problem->field, described.place), problem->message, {},
        problem->advice);
   return false;
 }
 
 std::optional<scene::ShapeRef> Evaluator::shape(const ThingView& described) {
   if (described.thing && described.thing->shape) return described.thing->shape;
-  Room room(described.noun->maker);
+  Room room(described.type->maker);
   if (!make(described, room.get())) return std::nullopt;
-  const scene::ShapeRef made = described.noun->maker.add(scene_.shapes, room.get());
+  const scene::ShapeRef made = described.type->maker.add(scene_.shapes, room.get());
   if (described.thing) described.thing->shape = made;
   return made;
 }
@@ -95,13 +96,13 @@ std::optional<scene::ShapeRef> Evaluator::shape(const ThingView& described) {
 // Of a thing that is about to be copied: its copies will share it.
 std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
   if (thing.shape || unsure_ > 0 || is_poisoned(thing.properties)) return thing.shape;
-  Room room(thing.noun->maker);
+  Room room(thing.type->maker);
   for (const PropertyValue& p : thing.properties) {
-    const Property& property = thing.noun->properties[p.id];
+    const Property& property = thing.type->properties[p.id];
     if (property.common == Common::none) property.field->set(room.get(), writer_.field_value(property, p.value));
   }
-  if (thing.noun->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
-  thing.shape = thing.noun->maker.add(scene_.shapes, room.get());
+  if (thing.type->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
+  thing.shape = thing.type->maker.add(scene_.shapes, room.get());
   has_leftovers_ = true;
   return thing.shape;
 }
@@ -111,7 +112,7 @@ std::optional<ObjectAttributes> Evaluator::attributes_of(const ThingView& descri
   const auto apply = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
       if ((p.id & parameter_bit) != 0) continue;
-      const Property& property = described.noun->properties[p.id];
+      const Property& property = described.type->properties[p.id];
       if (property.common != Common::none) writer_.apply(attributes_of, property, p.value);
     }
   };
@@ -123,15 +124,15 @@ std::optional<ObjectAttributes> Evaluator::attributes_of(const ThingView& descri
 void Evaluator::put_shape(const ThingView& described, Target& target) {
   if (unsure_ > 0 || is_poisoned(described.properties)) return;
   ++target.things;
-  const Noun& noun = *described.noun;
+  const NodeType& type = *described.type;
   Ref<Content> inside;
-  if (noun.is_composite()) {
+  if (type.is_composite()) {
     if (described.thing) inside = content(*described.thing);
     if (!inside || inside->is_nothing) {
-      const bool is_open_end = noun.category == Category::combination &&
-                               noun.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
+      const bool is_open_end = type.category == Category::combination &&
+                               type.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
       if (is_open_end) {
-        fail("E0407", described.place, fmt::format("the block of this {} holds no solid", noun.name));
+        fail("E0407", described.place, fmt::format("the block of this {} holds no solid", type.name));
         return;
       }
     }
@@ -139,7 +140,7 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   }
   const auto attributes = attributes_of(described, inside.get());
   const bool is_missing = !attributes->is_visible || (inside && inside->is_nothing);
-  if (target.noun && target.noun->category == Category::combination && is_missing) {
+  if (target.type && target.type->category == Category::combination && is_missing) {
     target.is_one_missing = true;
     if (target.things == 1) target.is_first_missing = true;
   }
@@ -152,10 +153,10 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   }
   if (inside && !inside->lights.empty()) put_lights_of(*inside, *attributes, described, target);
   if (inside && inside->is_nothing) return;
-  std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, noun, described.place) : shape(described);
+  std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, type, described.place) : shape(described);
   if (!made) return;
   if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
-  if (target.noun && target.noun->category == Category::combination) {
+  if (target.type && target.type->category == Category::combination) {
     if (!is_operand(described, *made)) return;
     made = writer_.united(*made);
     remember_places(described.place);
@@ -173,12 +174,12 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   object.casts_shadow = attributes->casts_shadow;
 }
 
-std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const Noun& noun, Span place) {
+std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const NodeType& type, Span place) {
   if (content.shape) return content.shape;
-  if (noun.category == Category::group) {
+  if (type.category == Category::group) {
     content.shape = scene_.shapes.add(scene::Group{std::move(content.members)});
   } else {
-    content.shape = scene_.shapes.add(scene::Combination{noun.operation, std::move(content.members)});
+    content.shape = scene_.shapes.add(scene::Combination{type.operation, std::move(content.members)});
     remember_places(place);
   }
   content.members = {};
@@ -195,16 +196,16 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const Value* material = nullptr;
   const auto look = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
-      if ((p.id & parameter_bit) == 0 && described.noun->properties[p.id].common == Common::material)
+      if ((p.id & parameter_bit) == 0 && described.type->properties[p.id].common == Common::material)
         material = &p.value;
     }
   };
   if (content) look(content->defaults);
   look(described.properties);
-  if (!material || !material->is(ValueKind::thing) || material->thing().noun->category != Category::material) return;
+  if (!material || !material->is(ValueKind::thing) || material->thing().type->category != Category::material) return;
   const Thing& thing = material->thing();
-  const PropertyValue* refract = thing.find(*thing.noun->find(std::string_view("refract")));
-  const PropertyValue* ior = thing.find(*thing.noun->find(std::string_view("ior")));
+  const PropertyValue* refract = thing.find(*thing.type->find(std::string_view("refract")));
+  const PropertyValue* ior = thing.find(*thing.type->find(std::string_view("ior")));
   const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
   if (!bends_nothing || !writer_.open_part(made).empty()) return;
   if (Diagnostic* d = report_.remark("W0106", refract->span)) {
@@ -217,11 +218,11 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
 bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
   const std::string_view open = writer_.open_part(made);
   if (open.empty()) return true;
-  const bool is_itself = open == described.noun->name;
+  const bool is_itself = open == described.type->name;
   fail("E0401", described.place,
        is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
                  : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined",
-                               open, described.noun->name),
+                               open, described.type->name),
        {},
        "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of "
        "these");
@@ -230,9 +231,9 @@ bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
 
 void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
                               Target& target) {
-  if (target.noun && target.noun->category == Category::combination) {
+  if (target.type && target.type->category == Category::combination) {
     fail("E0402", described.place,
-         fmt::format("there is a light in this {}, and light is no solid", described.noun->name));
+         fmt::format("there is a light in this {}, and light is no solid", described.type->name));
     return;
   }
   const bool is_placed = attributes.at != Vec3{} || attributes.rotate != Vec3{} || attributes.scale != Vec3{1, 1, 1} ||
@@ -249,17 +250,17 @@ void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& att
 void Evaluator::put_light(const ThingView& described, Target& target) {
   if (unsure_ > 0 || is_poisoned(described.properties)) return;
   ++target.things;
-  const Noun& noun = *described.noun;
-  if (target.noun && target.noun->category == Category::combination) {
-    fail("E0402", described.place, fmt::format("a {} is no solid: it cannot be combined", noun.name));
+  const NodeType& type = *described.type;
+  if (target.type && target.type->category == Category::combination) {
+    fail("E0402", described.place, fmt::format("a {} is no solid: it cannot be combined", type.name));
     return;
   }
-  Room room(noun.maker);
+  Room room(type.maker);
   if (!make(described, room.get())) return;
   const auto attributes = attributes_of(described, nullptr);
   count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
-  light.source = noun.maker.light(room.get());
+  light.source = type.maker.light(room.get());
   if (described.chain) light.chain = described.chain->steps;
   light.name = attributes->name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
@@ -281,7 +282,7 @@ void Evaluator::put_camera(const ThingView& described, Target& target) {
   }
   camera_place_ = described.place;
   if (is_poisoned(described.properties)) return;
-  Room room(described.noun->maker);
+  Room room(described.type->maker);
   if (!make(described, room.get())) return;
   scene_.camera = *static_cast<const scene::Camera*>(room.get());
   scene_.camera_origin = writer_.origin(described.place);

@@ -19,16 +19,16 @@ scene::Combination::Operation operation(Op op) {
 Value Evaluator::combine(Op op, Value left, Value right, NodeId node, const Context& context) {
   const Ast& ast = context.ast();
   if (unsure_ > 0) return Value::poison();
-  const Noun& noun = program_.nouns.combination(operation(op));
-  Ref<Thing> thing = new_thing(noun, ast.span(node));
+  const NodeType& type = program_.types.combination(operation(op));
+  Ref<Thing> thing = new_thing(type, ast.span(node));
   thing->content = Ref<Content>(heap_.make<Content>(0));
   Target target;
   target.kind = Target::Kind::content;
   target.objects = &thing->content->members;
   target.lights = &thing->content->lights;
-  target.noun = &noun;
+  target.type = &type;
   target.owner = thing->span;
-  const bool goes_on = left.is(ValueKind::thing) && left.thing().noun == &noun && left.thing().properties.empty() &&
+  const bool goes_on = left.is(ValueKind::thing) && left.thing().type == &type && left.thing().properties.empty() &&
                        !left.thing().chain && left.thing().content;
   if (goes_on) {
     Content& old = *left.thing().content;
@@ -39,14 +39,14 @@ Value Evaluator::combine(Op op, Value left, Value right, NodeId node, const Cont
     add_operand(left, ast.span(ast.left(node)), target);
   }
   add_operand(right, ast.span(ast.right(node)), target);
-  finish_content(*thing->content, noun, target, thing->span);
+  finish_content(*thing->content, type, target, thing->span);
   set_depth(*thing, thing->span);
   return report_.has_errors() && thing->content->is_nothing && !thing->content->is_cut ? Value::poison() : Value(thing);
 }
 
 void Evaluator::begin_with_operands(const Content& old, bool has_members, Content& content, Target& target) {
   Content members;
-  begin_with(old, *target.noun, members, target);
+  begin_with(old, *target.type, members, target);
   if (has_members)
     target.things = static_cast<std::uint32_t>(content.members.size()) + (old.is_cut ? 1U : 0U);
   else
@@ -56,24 +56,24 @@ void Evaluator::begin_with_operands(const Content& old, bool has_members, Conten
 void Evaluator::add_operand(const Value& value, Span place, Target& target) {
   if (value.is(ValueKind::thing)) {
     const Thing& thing = value.thing();
-    if (thing.noun->is_shape() || thing.noun->category == Category::light)
-      return put_thing({thing.noun, thing.properties, thing.chain.get(), thing.span, &thing}, target);
+    if (thing.type->is_shape() || thing.type->category == Category::light)
+      return put_thing({thing.type, thing.properties, thing.chain.get(), thing.span, &thing}, target);
     fail("E0304", place, fmt::format("{} is no solid, so it cannot be combined", describe(value)));
     return;
   }
   // A list is the union of what is in it.
-  const Noun& noun = program_.nouns.combination(scene::Combination::Operation::unite);
-  Ref<Thing> whole = new_thing(noun, place);
+  const NodeType& type = program_.types.combination(scene::Combination::Operation::unite);
+  Ref<Thing> whole = new_thing(type, place);
   whole->content = Ref<Content>(heap_.make<Content>(0));
   Target inner;
   inner.kind = Target::Kind::content;
   inner.objects = &whole->content->members;
   inner.lights = &whole->content->lights;
-  inner.noun = &noun;
+  inner.type = &type;
   inner.owner = place;
   put(value, place, inner);
-  finish_content(*whole->content, noun, inner, place);
-  put_thing({whole->noun, {}, nullptr, place, whole.get()}, target);
+  finish_content(*whole->content, type, inner, place);
+  put_thing({whole->type, {}, nullptr, place, whole.get()}, target);
 }
 
 } // namespace rt::lang

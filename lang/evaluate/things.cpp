@@ -12,15 +12,15 @@ namespace rt::lang {
 namespace {
 
 /// Only the properties that all shapes have differ: the shape itself may be shared.
-bool is_dress(const Noun& noun, std::uint16_t id) {
-  return (id & parameter_bit) == 0 && noun.properties[id].common != Common::none;
+bool is_dress(const NodeType& type, std::uint16_t id) {
+  return (id & parameter_bit) == 0 && type.properties[id].common != Common::none;
 }
 
 } // namespace
 
-Ref<Thing> Evaluator::new_thing(const Noun& noun, Span place) {
+Ref<Thing> Evaluator::new_thing(const NodeType& type, Span place) {
   Ref<Thing> thing(heap_.make<Thing>(0));
-  thing->noun = &noun;
+  thing->type = &type;
   thing->span = place;
   return thing;
 }
@@ -41,7 +41,7 @@ scene::NameId Evaluator::default_name(Symbol symbol) {
 }
 
 Ref<Thing> Evaluator::copy_of(const Thing& thing) {
-  Ref<Thing> copy = new_thing(*thing.noun, thing.span);
+  Ref<Thing> copy = new_thing(*thing.type, thing.span);
   copy->depth = thing.depth;
   copy->def = thing.def;
   copy->def_frame = thing.def_frame;
@@ -50,7 +50,7 @@ Ref<Thing> Evaluator::copy_of(const Thing& thing) {
   copy->default_name = thing.default_name;
   if (thing.def && !thing.content) thing.content = content_cell(thing); // run once, for both
   copy->content = thing.content;
-  if (thing.noun->category == Category::shape) copy->shape = shared_shape(thing);
+  if (thing.type->category == Category::shape) copy->shape = shared_shape(thing);
   return copy;
 }
 
@@ -70,7 +70,7 @@ Value Evaluator::override_value(NodeId node, const Context& context) {
               "this is " + describe(base));
 }
 
-void Evaluator::simple_properties(NodeId node, const Context& context, const Noun& noun, PropertyList& properties) {
+void Evaluator::simple_properties(NodeId node, const Context& context, const NodeType& type, PropertyList& properties) {
   const Ast& ast = context.ast();
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     const NodeId value_node = ast.named(item).value;
@@ -78,7 +78,7 @@ void Evaluator::simple_properties(NodeId node, const Context& context, const Nou
     p.id = static_cast<std::uint16_t>(ast[item].extra - 1);
     p.span = ast.span(value_node);
     p.value = expression(value_node, context);
-    const Property& property = noun.properties[p.id];
+    const Property& property = type.properties[p.id];
     if (property.type == PropertyType::material && p.value.is(ValueKind::record))
       p.value = as_material(p.value.record(), p.span);
     if (const auto mistake = check_value(property, p.value)) {
@@ -89,10 +89,10 @@ void Evaluator::simple_properties(NodeId node, const Context& context, const Nou
 }
 
 Value Evaluator::simple_thing(NodeId node, const Context& context) {
-  const Noun& noun = program_.nouns[static_cast<std::size_t>(context.ast()[node].extra - 1)];
+  const NodeType& type = program_.types[static_cast<std::size_t>(context.ast()[node].extra - 1)];
   PropertyList properties;
-  simple_properties(node, context, noun, properties);
-  Ref<Thing> thing = new_thing(noun, context.ast().span(node));
+  simple_properties(node, context, type, properties);
+  Ref<Thing> thing = new_thing(type, context.ast().span(node));
   const std::span<PropertyValue> values = properties.values();
   thing->properties.assign(std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
   set_depth(*thing, thing->span);
@@ -103,18 +103,18 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   const Ast& ast = context.ast();
   const Override parts = ast.override_(node);
   const Thing& old = base.thing();
-  PropertyBlock gathered{old.noun, old.def, old.properties, {}, false};
+  PropertyBlock gathered{old.type, old.def, old.properties, {}, false};
   Target target;
   target.properties = &gathered;
   target.owner = ast.span(parts.base);
   Content members; // what the block adds to a group or a combination
-  const bool takes_things = old.noun->is_composite() && !old.def;
+  const bool takes_things = old.type->is_composite() && !old.def;
   if (takes_things) {
     target.kind = Target::Kind::content;
     target.objects = &members.members;
     target.lights = &members.lights;
-    target.noun = old.noun;
-    if (old.content) begin_with(*old.content, *old.noun, members, target);
+    target.type = old.type;
+    if (old.content) begin_with(*old.content, *old.type, members, target);
   }
   const std::uint32_t had = target.things;
   if (ast.kind(parts.block) == Kind::block)
@@ -122,13 +122,13 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
   else
     gathered.is_broken = true;
   if (gathered.is_broken) return Value::poison();
-  Ref<Thing> thing = new_thing(*old.noun, ast.span(node));
+  Ref<Thing> thing = new_thing(*old.type, ast.span(node));
   thing->def = old.def;
   thing->def_frame = old.def_frame;
   thing->chain = old.chain;
   thing->default_name = old.default_name;
   const bool keeps_inside =
-      std::ranges::all_of(gathered.written, [&](const PropertyBlock::Written& w) { return is_dress(*old.noun, w.id); });
+      std::ranges::all_of(gathered.written, [&](const PropertyBlock::Written& w) { return is_dress(*old.type, w.id); });
   if (takes_things) {
     if (target.things == had) {
       thing->content = old.content;
@@ -137,12 +137,12 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
       thing->content->members = std::move(members.members);
       thing->content->lights = std::move(members.lights);
       thing->content->depth = target.depth;
-      finish_content(*thing->content, *old.noun, target, thing->span);
+      finish_content(*thing->content, *old.type, target, thing->span);
     }
   } else if (keeps_inside && old.def) {
     if (!old.content) old.content = content_cell(old);
     thing->content = old.content;
-  } else if (keeps_inside && old.noun->category == Category::shape) {
+  } else if (keeps_inside && old.type->category == Category::shape) {
     thing->shape = shared_shape(old);
   }
   thing->properties = std::move(gathered.values);
@@ -170,11 +170,11 @@ Value Evaluator::changed_record(const Record& base, NodeId node, const Context& 
 }
 
 void Evaluator::fail_unknown_material_property(const Record::Entry& entry) {
-  const Noun& noun = program_.nouns.material();
+  const NodeType& type = program_.types.material();
   const std::string_view word = name(entry.name);
   std::vector<std::string_view> names;
-  for (const Property& property : noun.properties) names.push_back(property.name);
-  std::string label = dialect_property(word, &noun);
+  for (const Property& property : type.properties) names.push_back(property.name);
+  std::string label = dialect_property(word, &type);
   if (const auto guess = nearest(word, names); guess && label.empty())
     label = fmt::format("did you mean `{}`?", *guess);
   fail("E0204", entry.name_span, fmt::format("`material` has no property `{}`", word), std::move(label),
@@ -182,17 +182,17 @@ void Evaluator::fail_unknown_material_property(const Record::Entry& entry) {
 }
 
 Value Evaluator::as_material(const Record& record, Span place) {
-  const Noun& noun = program_.nouns.material();
-  Ref<Thing> thing = new_thing(noun, place);
+  const NodeType& type = program_.types.material();
+  Ref<Thing> thing = new_thing(type, place);
   bool is_fine = true;
   for (const Record::Entry& entry : record.entries) {
-    const auto id = noun.find(entry.name);
+    const auto id = type.find(entry.name);
     if (!id) {
       fail_unknown_material_property(entry);
       is_fine = false;
       continue;
     }
-    if (const auto mistake = check_value(noun.properties[*id], entry.value)) {
+    if (const auto mistake = check_value(type.properties[*id], entry.value)) {
       tell(*mistake, entry.span);
       is_fine = false;
     }
@@ -236,7 +236,7 @@ Ref<Content> Evaluator::content(const Thing& thing) {
   }
   run_def(thing, *thing.content);
   if (instances_.size() >= most_instances) instances_.clear();
-  Ref<Thing> key = new_thing(*thing.noun, thing.span);
+  Ref<Thing> key = new_thing(*thing.type, thing.span);
   key->def = thing.def;
   key->def_frame = thing.def_frame;
   key->content = thing.content;
@@ -274,24 +274,24 @@ void Evaluator::run_def(const Thing& thing, Content& content) {
   }
   if (is_fine && fill_defaults(def, *frame.get(), thing.span)) {
     def.was_run = true;
-    PropertyBlock gathered{thing.noun, nullptr, {}, {}, false};
+    PropertyBlock gathered{thing.type, nullptr, {}, {}, false};
     Target target;
     target.kind = Target::Kind::content;
     target.objects = &content.members;
     target.lights = &content.lights;
-    target.noun = thing.noun;
+    target.type = thing.type;
     target.properties = &gathered;
     target.owner = thing.span;
     items(def.body, {def.unit, frame.get()}, target);
     content.defaults = std::move(gathered.values);
     content.depth = target.depth;
-    finish_content(content, *thing.noun, target, thing.span);
+    finish_content(content, *thing.type, target, thing.span);
   }
   --recursion_;
   calls_ = call.caller;
 }
 
-void Evaluator::finish_content(Content& content, const Noun& noun, const Target& target, Span place) {
+void Evaluator::finish_content(Content& content, const NodeType& type, const Target& target, Span place) {
   using Operation = scene::Combination::Operation;
   has_leftovers_ = true;
   content.depth = static_cast<std::uint16_t>(target.depth + 1);
@@ -299,14 +299,14 @@ void Evaluator::finish_content(Content& content, const Noun& noun, const Target&
   content.members.shrink_to_fit();
   // What is cut out of nothing is nothing, and so is what something shares with nothing.
   content.is_cut =
-      noun.category == Category::combination && ((noun.operation == Operation::subtract && target.is_first_missing) ||
-                                                 (noun.operation == Operation::intersect && target.is_one_missing));
+      type.category == Category::combination && ((type.operation == Operation::subtract && target.is_first_missing) ||
+                                                 (type.operation == Operation::intersect && target.is_one_missing));
   if (content.is_cut) content.members.clear();
   content.is_nothing = content.members.empty();
 }
 
 // Goes on from what a composite holds already.
-void Evaluator::begin_with(const Content& old, const Noun& noun, Content& members, Target& target) {
+void Evaluator::begin_with(const Content& old, const NodeType& type, Content& members, Target& target) {
   members.members = old.members;
   if (old.shape && old.shape->kind == scene::kind_of<scene::Group>)
     members.members = scene_.shapes.get<scene::Group>(*old.shape).members;
@@ -315,7 +315,7 @@ void Evaluator::begin_with(const Content& old, const Noun& noun, Content& member
   members.lights = old.lights;
   target.depth = static_cast<std::uint16_t>(old.depth > 0 ? old.depth - 1 : 0);
   target.things = static_cast<std::uint32_t>(members.members.size() + members.lights.size()) + (old.is_cut ? 1U : 0U);
-  target.is_first_missing = target.is_one_missing = old.is_cut && noun.category == Category::combination;
+  target.is_first_missing = target.is_one_missing = old.is_cut && type.category == Category::combination;
   spend(members.members.size(), target.owner);
 }
 

@@ -121,12 +121,12 @@ private:
 
 class Candidates {
 public:
-  explicit Candidates(const Session& session) : session_(session), nouns_(session.program().nouns) {}
+  explicit Candidates(const Session& session) : session_(session), nouns_(session.program().types) {}
 
   void add(std::string_view word) { words_.emplace_back(word); }
   void add_all(const std::vector<std::string>& words) { words_.insert(words_.end(), words.begin(), words.end()); }
   void add_nouns() {
-    for (const Noun& noun : nouns_.all()) add(noun.name);
+    for (const NodeType& type : nouns_.all()) add(type.name);
   }
   void add_scene_properties() {
     for (const Property& property : nouns_.scene().properties) add(property.name);
@@ -170,8 +170,8 @@ private:
       add_all(session_.properties_of(owner));
     else if (place.open.empty())
       add_scene_properties();
-    const Noun* noun = nouns_.find(owner);
-    const bool holds_things = owner.empty() || !noun || noun->is_composite() || place.open.back().holds_statements;
+    const NodeType* type = nouns_.find(owner);
+    const bool holds_things = owner.empty() || !type || type->is_composite() || place.open.back().holds_statements;
     if (!holds_things) return;
     for (const std::string_view word : statement_words) add(word);
     add_nouns();
@@ -181,10 +181,10 @@ private:
   const Property* find_property(const Place& place) const {
     if (place.property.empty()) return nullptr;
     const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
-    const Noun* noun = place.open.empty() ? &nouns_.scene() : session_.noun_of(owner);
-    if (!noun) return nullptr;
-    const auto id = noun->find(place.property);
-    return id ? &noun->properties[*id] : nullptr;
+    const NodeType* type = place.open.empty() ? &nouns_.scene() : session_.noun_of(owner);
+    if (!type) return nullptr;
+    const auto id = type->find(place.property);
+    return id ? &type->properties[*id] : nullptr;
   }
 
   void add_expression(const Place& place) {
@@ -208,8 +208,8 @@ private:
     case PropertyType::material:
     case PropertyType::paint:
     case PropertyType::number_paint:
-      for (const Noun& noun : nouns_.all())
-        if (noun.category == Category::pattern || noun.category == Category::material) add(noun.name);
+      for (const NodeType& type : nouns_.all())
+        if (type.category == Category::pattern || type.category == Category::material) add(type.name);
       add_colors();
       break;
     case PropertyType::color:
@@ -221,7 +221,7 @@ private:
   }
 
   const Session& session_;
-  const Nouns& nouns_;
+  const NodeTypes& nouns_;
   std::vector<std::string> words_;
 };
 
@@ -238,10 +238,10 @@ SessionCompletion complete(const Session& session, std::string_view text, std::s
 
 std::vector<std::string> documented_words(const Session& session) {
   std::vector<std::string> words;
-  const Nouns& nouns = session.program().nouns;
-  for (const Noun& noun : nouns.all()) {
-    words.emplace_back(noun.name);
-    for (const Property& property : noun.properties) words.emplace_back(property.name);
+  const NodeTypes& types = session.program().types;
+  for (const NodeType& type : types.all()) {
+    words.emplace_back(type.name);
+    for (const Property& property : type.properties) words.emplace_back(property.name);
   }
   for (const Builtin* builtin : all_builtins()) words.emplace_back(builtin->name);
   for (const Constant& constant : constants()) words.emplace_back(constant.name);

@@ -74,16 +74,16 @@ std::string_view section_of(Category category) {
   return {};
 }
 
-ReferenceEntry entry(const Noun& noun) {
-  const bool is_scene = noun.category == Category::scene;
-  ReferenceEntry e{std::string(section_of(noun.category)),
-                   std::string(noun.name),
-                   is_scene ? "name: value, at the top level" : fmt::format("{} {{ … }}", noun.name),
-                   std::string(noun.help),
+ReferenceEntry entry(const NodeType& type) {
+  const bool is_scene = type.category == Category::scene;
+  ReferenceEntry e{std::string(section_of(type.category)),
+                   std::string(type.name),
+                   is_scene ? "name: value, at the top level" : fmt::format("{} {{ … }}", type.name),
+                   std::string(type.help),
                    {},
                    {}};
-  for (const Property& p : noun.properties) {
-    const bool is_shared = noun.is_shape() && p.common != Common::none;
+  for (const Property& p : type.properties) {
+    const bool is_shared = type.is_shape() && p.common != Common::none;
     (is_shared ? e.common_properties : e.properties).push_back(entry(p));
   }
   return e;
@@ -142,11 +142,11 @@ std::span<const std::string_view> reference_sections() {
 
 std::vector<ReferenceEntry> reference() {
   std::vector<ReferenceEntry> entries;
-  const Nouns nouns;
-  for (const Noun& noun : nouns.all()) entries.push_back(entry(noun));
-  entries.push_back(entry(nouns.scene()));
+  const NodeTypes types;
+  for (const NodeType& type : types.all()) entries.push_back(entry(type));
+  entries.push_back(entry(types.scene()));
   ReferenceEntry common{"common", "shapes", "noun { … }", "what every shape takes", {}, {}};
-  common.properties = entry(nouns.group()).common_properties;
+  common.properties = entry(types.group()).common_properties;
   entries.push_back(common);
   for (const ChainMethod& m : chain_methods())
     entries.push_back(

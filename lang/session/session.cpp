@@ -326,24 +326,24 @@ std::string Session::text_of(std::string_view name) const {
   return "";
 }
 
-const Noun* Session::noun_of(std::string_view name) const {
+const NodeType* Session::noun_of(std::string_view name) const {
   SessionCore& core = state_->core;
   if (const TopName* found = find_name(state_->document(), core.program.symbols.find(name))) {
-    if (found->meaning == Meaning::function) return found->known.is_thing() ? found->known.noun : nullptr;
+    if (found->meaning == Meaning::function) return found->known.is_thing() ? found->known.type : nullptr;
     const Value& value = core.evaluator.session_value(found->slot);
-    return value.is(ValueKind::thing) ? value.thing().noun : nullptr;
+    return value.is(ValueKind::thing) ? value.thing().type : nullptr;
   }
   for (const Program::LibraryName& entry : core.program.library_names)
-    if (core.program.symbols.name(entry.name) == name) return &core.program.nouns.material();
-  return core.program.nouns.find(name);
+    if (core.program.symbols.name(entry.name) == name) return &core.program.types.material();
+  return core.program.types.find(name);
 }
 
 std::vector<std::string> Session::properties_of(std::string_view name) const {
   std::vector<std::string> words;
   const Program& program = state_->core.program;
-  const Noun* noun = noun_of(name);
-  if (!noun) return words;
-  for (const Property& property : noun->properties) words.emplace_back(property.name);
+  const NodeType* type = noun_of(name);
+  if (!type) return words;
+  for (const Property& property : type->properties) words.emplace_back(property.name);
   if (const TopName* found = find_name(state_->document(), program.symbols.find(name))) {
     const FunctionInfo* def = found->known.function;
     if (found->meaning != Meaning::function) {

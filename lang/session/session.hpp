@@ -15,7 +15,7 @@
 
 namespace rt::lang {
 
-struct Noun;
+struct NodeType;
 struct Program;
 
 /// The value of an expression that was typed by itself.
@@ -118,7 +118,7 @@ public:
   /// The properties that a thing of this name takes: a noun's, a def's parameters, those of what the name is bound to.
   std::vector<std::string> properties_of(std::string_view name) const;
   /// The noun of that name, or of the thing that the name is bound to; null where there is none.
-  const Noun* noun_of(std::string_view name) const;
+  const NodeType* noun_of(std::string_view name) const;
   /// All that was read and resolved.
   const Program& program() const;
   /// Of what was submitted; diagnostics point into it.

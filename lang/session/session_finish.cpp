@@ -182,13 +182,13 @@ void SessionChange::settle_cameras() {
 
 void SessionChange::check_scene_properties() {
   scene::Scene probe;
-  const Noun& noun = core_.program.nouns.scene();
-  std::vector<const PropertyValue*> written(noun.properties.size());
+  const NodeType& type = core_.program.types.scene();
+  std::vector<const PropertyValue*> written(type.properties.size());
   for (const Entry& entry : entries_) {
     if ((entry.traits() & trait_properties) == 0) continue;
     for (const PropertyValue& p : entry.get().made.properties) {
       if (p.value.is_poison()) continue;
-      const Property& property = noun.properties[p.id];
+      const Property& property = type.properties[p.id];
       if (const PropertyValue* first = written[p.id]) {
         if (Diagnostic* d = core_.report.error("E0205", p.span)) {
           d->message = fmt::format("`{}` is written twice", property.name);
@@ -203,7 +203,7 @@ void SessionChange::check_scene_properties() {
   const auto problem = scene::check(probe);
   if (!problem) return;
   for (const PropertyValue* p : written) {
-    if (!p || noun.properties[p->id].name != problem->field) continue;
+    if (!p || type.properties[p->id].name != problem->field) continue;
     if (Diagnostic* d = core_.report.error("E0407", p->span)) {
       d->message = problem->message;
       if (!problem->advice.empty()) d->notes.push_back({std::nullopt, problem->advice});

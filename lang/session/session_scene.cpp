@@ -60,7 +60,7 @@ void SessionScene::show_settings(const Document& document) {
   scene.samples = defaults.samples;
   scene.lights.clear();
   bool has_camera = false, has_ambient = false;
-  const Noun& noun = program_.nouns.scene();
+  const NodeType& type = program_.types.scene();
   for_each_with(document, trait_lights | trait_camera | trait_properties, [&](const Statement& statement) {
     const StatementResult& made = statement.made;
     scene.lights.insert(scene.lights.end(), made.lights.begin(), made.lights.end());
@@ -69,8 +69,8 @@ void SessionScene::show_settings(const Document& document) {
       has_camera = true;
     }
     for (const PropertyValue& p : made.properties) {
-      noun.properties[p.id].field->set(&scene, evaluator_.scene_value(p));
-      has_ambient = has_ambient || noun.properties[p.id].name == "ambient";
+      type.properties[p.id].field->set(&scene, evaluator_.scene_value(p));
+      has_ambient = has_ambient || type.properties[p.id].name == "ambient";
     }
   });
   for (std::size_t i = scene.files.size(); i < program_.sources.size(); ++i)
@@ -181,11 +181,11 @@ private:
   void add(const scene::Object& object) {
     const std::string_view own =
         object.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(object.name)];
-    const std::string_view noun =
+    const std::string_view type =
         scene_.shapes.visit(object.shape, []<class S>(const S&) -> std::string_view { return S::noun; });
     const Box3 box = scene::bounds(scene_, object);
     const bool hides = !object.is_visible;
-    put(own, kind_.empty() ? noun : kind_,
+    put(own, kind_.empty() ? type : kind_,
         (box.is_finite() ? "around " + text(box.center()) : std::string("endless")) + (hides ? ", not visible" : ""));
   }
 

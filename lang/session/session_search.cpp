@@ -23,10 +23,10 @@ bool places(const SessionCore& core, const Statement& statement, std::string_vie
   });
 }
 
-bool is_copy_of(const SessionCore& core, const Statement& statement, std::string_view noun) {
+bool is_copy_of(const SessionCore& core, const Statement& statement, std::string_view type) {
   const Ast& ast = statement.unit->ast;
   const NodeId base = innermost(ast, statement.nodes.front());
-  return ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == noun;
+  return ast.kind(base) == Kind::name && core.program.symbols.name(ast.symbol(base)) == type;
 }
 
 std::string nothing_called(const SessionCore& core, const SessionChange& change, std::string_view name) {

@@ -96,42 +96,42 @@ Maker basic_maker() {
 }
 
 template <class S>
-Noun shape_noun() {
-  Noun noun{
+NodeType shape_noun() {
+  NodeType type{
       S::noun, Category::shape, S::help, from_fields(fields(static_cast<const S*>(nullptr))), basic_maker<S>(), {}, {},
       {}};
-  noun.maker.add = [](scene::Shapes& shapes, void* made) { return shapes.add(std::move(*static_cast<S*>(made))); };
-  noun.maker.is_solid = [](const void* made) { return is_solid(geometry(*static_cast<const S*>(made))); };
-  append_common(noun.properties);
-  return noun;
+  type.maker.add = [](scene::Shapes& shapes, void* made) { return shapes.add(std::move(*static_cast<S*>(made))); };
+  type.maker.is_solid = [](const void* made) { return is_solid(geometry(*static_cast<const S*>(made))); };
+  append_common(type.properties);
+  return type;
 }
 
 template <class L>
-Noun light_noun(std::string_view noun_name, std::string_view help) {
-  Noun noun{
+NodeType light_noun(std::string_view noun_name, std::string_view help) {
+  NodeType type{
       noun_name, Category::light, help, from_fields(fields(static_cast<const L*>(nullptr))), basic_maker<L>(), {}, {},
       {}};
-  noun.maker.light = [](const void* made) -> scene::LightSource { return *static_cast<const L*>(made); };
-  noun.properties.push_back(name());
-  return noun;
+  type.maker.light = [](const void* made) -> scene::LightSource { return *static_cast<const L*>(made); };
+  type.properties.push_back(name());
+  return type;
 }
 
-Noun composite_noun(std::string_view noun_name, Category category, std::string_view help,
-                    scene::Combination::Operation operation = scene::Combination::Operation::unite) {
-  Noun noun{noun_name, category, help, {}, {}, operation, {}, {}};
-  append_common(noun.properties);
-  return noun;
+NodeType composite_noun(std::string_view noun_name, Category category, std::string_view help,
+                        scene::Combination::Operation operation = scene::Combination::Operation::unite) {
+  NodeType type{noun_name, category, help, {}, {}, operation, {}, {}};
+  append_common(type.properties);
+  return type;
 }
 
-Noun pattern_noun(std::string_view noun_name, scene::PatternKind kind, std::string_view help) {
-  Noun noun{noun_name, Category::pattern, help, from_fields(scene::pattern_fields()), {}, {}, kind, {}};
-  append_placement(noun.properties);
-  return noun;
+NodeType pattern_noun(std::string_view noun_name, scene::PatternKind kind, std::string_view help) {
+  NodeType type{noun_name, Category::pattern, help, from_fields(scene::pattern_fields()), {}, {}, kind, {}};
+  append_placement(type.properties);
+  return type;
 }
 
 } // namespace
 
-Nouns::Nouns() {
+NodeTypes::NodeTypes() {
   using Operation = scene::Combination::Operation;
   scene::ShapeKinds::for_each([&]<class S>() {
     if constexpr (!std::is_same_v<S, scene::Group> && !std::is_same_v<S, scene::Combination>)
@@ -177,34 +177,34 @@ Nouns::Nouns() {
   material_ = find("material");
 }
 
-void Nouns::intern(SymbolTable& symbols) {
-  const auto index_properties = [&](Noun& noun) {
-    noun.by_symbol.clear();
-    for (std::size_t i = 0; i < noun.properties.size(); ++i) {
-      const auto symbol = static_cast<std::size_t>(symbols.intern(noun.properties[i].name));
-      if (symbol >= noun.by_symbol.size()) noun.by_symbol.resize(symbol + 1);
-      noun.by_symbol[symbol] = static_cast<std::uint8_t>(i + 1);
+void NodeTypes::intern(SymbolTable& symbols) {
+  const auto index_properties = [&](NodeType& type) {
+    type.by_symbol.clear();
+    for (std::size_t i = 0; i < type.properties.size(); ++i) {
+      const auto symbol = static_cast<std::size_t>(symbols.intern(type.properties[i].name));
+      if (symbol >= type.by_symbol.size()) type.by_symbol.resize(symbol + 1);
+      type.by_symbol[symbol] = static_cast<std::uint8_t>(i + 1);
     }
   };
-  for (Noun& noun : nouns_) index_properties(noun);
+  for (NodeType& type : nouns_) index_properties(type);
   index_properties(scene_);
 }
 
-const Noun* Nouns::find(std::string_view noun_name) const {
-  for (const Noun& noun : nouns_) {
-    if (noun.name == noun_name) return &noun;
+const NodeType* NodeTypes::find(std::string_view noun_name) const {
+  for (const NodeType& type : nouns_) {
+    if (type.name == noun_name) return &type;
   }
   return nullptr;
 }
 
-const Noun& Nouns::combination(scene::Combination::Operation operation) const {
-  for (const Noun& noun : nouns_) {
-    if (noun.category == Category::combination && noun.operation == operation) return noun;
+const NodeType& NodeTypes::combination(scene::Combination::Operation operation) const {
+  for (const NodeType& type : nouns_) {
+    if (type.category == Category::combination && type.operation == operation) return type;
   }
   return nouns_.front(); // not reached: every operation has its noun
 }
 
-std::optional<std::uint16_t> Noun::find(std::string_view property) const {
+std::optional<std::uint16_t> NodeType::find(std::string_view property) const {
   for (std::size_t i = 0; i < properties.size(); ++i) {
     if (properties[i].name == property) return static_cast<std::uint16_t>(i);
   }

@@ -60,7 +60,7 @@ struct Maker {
 };
 
 /// A built-in noun.
-struct Noun {
+struct NodeType {
   std::string_view name;
   Category category = Category::shape;
   std::string_view help;
@@ -68,7 +68,7 @@ struct Noun {
   Maker maker;
   scene::Combination::Operation operation = scene::Combination::Operation::unite;
   scene::PatternKind pattern = scene::PatternKind::checker;
-  std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `Nouns::intern`
+  std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `NodeTypes::intern`
 
   /// Position in `properties`, or nothing. By symbol once the names are interned.
   std::optional<std::uint16_t> find(std::string_view property) const;
@@ -85,29 +85,29 @@ struct Noun {
 
 /// The table of all built-in nouns, assembled from the field tables of the scene description: nothing here knows what
 /// properties a sphere has. References to its nouns stay valid as long as it lives.
-class Nouns {
+class NodeTypes {
 public:
-  Nouns();
+  NodeTypes();
   /// Interns all names of nouns, properties and choices, and fills the nouns' `by_symbol`. To be called first on a
   /// table, so that the symbols are small.
   void intern(SymbolTable& symbols);
 
-  std::span<const Noun> all() const { return nouns_; }
-  const Noun* find(std::string_view name) const;
-  const Noun& operator[](std::size_t i) const { return nouns_[i]; }
-  std::size_t index(const Noun& noun) const { return static_cast<std::size_t>(&noun - nouns_.data()); }
+  std::span<const NodeType> all() const { return nouns_; }
+  const NodeType* find(std::string_view name) const;
+  const NodeType& operator[](std::size_t i) const { return nouns_[i]; }
+  std::size_t index(const NodeType& type) const { return static_cast<std::size_t>(&type - nouns_.data()); }
 
-  const Noun& group() const { return *group_; }
-  const Noun& material() const { return *material_; }
-  const Noun& combination(scene::Combination::Operation operation) const;
+  const NodeType& group() const { return *group_; }
+  const NodeType& material() const { return *material_; }
+  const NodeType& combination(scene::Combination::Operation operation) const;
   /// The scene itself, whose properties stand at the top level; it is not a name that can be written.
-  const Noun& scene() const { return scene_; }
+  const NodeType& scene() const { return scene_; }
 
 private:
-  std::vector<Noun> nouns_;
-  Noun scene_;
-  const Noun* group_ = nullptr;
-  const Noun* material_ = nullptr;
+  std::vector<NodeType> nouns_;
+  NodeType scene_;
+  const NodeType* group_ = nullptr;
+  const NodeType* material_ = nullptr;
 };
 
 /// Room for any shape or light that a `Maker` makes.

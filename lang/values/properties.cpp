@@ -12,7 +12,7 @@ namespace rt::lang {
 namespace {
 
 bool has_category(const Value& value, Category category) {
-  return value.is(ValueKind::thing) && value.thing().noun->category == category;
+  return value.is(ValueKind::thing) && value.thing().type->category == category;
 }
 
 Mistake wrong_type(const Property& property, const Value& value) {
@@ -116,7 +116,7 @@ std::optional<Mistake> check_color(const Property& property, const Value& value)
 /// Patterns where a number is meant hold numbers, all the way down.
 bool holds_numbers(const Thing& pattern) {
   for (const PropertyValue& p : pattern.properties) {
-    if (pattern.noun->properties[p.id].type != PropertyType::paint) continue;
+    if (pattern.type->properties[p.id].type != PropertyType::paint) continue;
     const bool is_fine = p.value.is_number() || (is_pattern(p.value) && holds_numbers(p.value.thing()));
     if (!is_fine) return false;
   }
@@ -273,7 +273,7 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
 
 } // namespace
 
-std::optional<Value> default_value(const Noun& noun, const Property& property) {
+std::optional<Value> default_value(const NodeType& type, const Property& property) {
   switch (property.common) {
   case Common::at:
   case Common::rotate:
@@ -293,19 +293,19 @@ std::optional<Value> default_value(const Noun& noun, const Property& property) {
     const auto value = property.field->get(owner);
     return value ? to_value(property, *value) : std::nullopt;
   };
-  if (noun.category == Category::material) {
+  if (type.category == Category::material) {
     const scene::Material material;
     return read(&material);
   }
-  if (noun.category == Category::pattern) {
+  if (type.category == Category::pattern) {
     const scene::Pattern pattern;
     return read(&pattern);
   }
-  if (noun.maker.construct == nullptr) return std::nullopt;
+  if (type.maker.construct == nullptr) return std::nullopt;
   alignas(std::max_align_t) std::byte room[maker_room];
-  noun.maker.construct(room);
+  type.maker.construct(room);
   const auto value = read(room);
-  noun.maker.destroy(room);
+  type.maker.destroy(room);
   return value;
 }
 

@@ -24,7 +24,7 @@ std::string_view describe(PropertyType type);
 std::optional<Mistake> check_value(const Property& property, const Value& value);
 
 /// What a property is where it is not written; nothing where it has no value then (a plane's `y`).
-std::optional<Value> default_value(const Noun& noun, const Property& property);
+std::optional<Value> default_value(const NodeType& type, const Property& property);
 
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);

@@ -13,7 +13,7 @@
 
 namespace rt::lang {
 
-/// A property that was written: its position in `Noun::properties`, or `parameter_id` of a def's parameter.
+/// A property that was written: its position in `NodeType::properties`, or `parameter_id` of a def's parameter.
 struct PropertyValue {
   Value value;
   Span span; ///< of the value
@@ -67,7 +67,7 @@ struct Content : Cell {
 struct Thing : Cell {
   static constexpr std::uint32_t no_color = 0xffffffff;
   static constexpr ValueKind cell_kind = ValueKind::thing;
-  const Noun* noun = nullptr; ///< `group` for what a def makes
+  const NodeType* type = nullptr; ///< `group` for what a def makes
   const FunctionInfo* def = nullptr;
   Ref<Frame> def_frame; ///< where the def was declared
   std::vector<PropertyValue> properties;

@@ -150,7 +150,7 @@ bool equal_chains(const Chain* a, const Chain* b) {
 
 bool equal_things(const Thing& a, const Thing& b) {
   if (&a == &b) return true;
-  if (a.noun != b.noun || a.def != b.def || a.def_frame != b.def_frame) return false;
+  if (a.type != b.type || a.def != b.def || a.def_frame != b.def_frame) return false;
   if (!a.def && a.content != b.content) return false;
   if (a.properties.size() != b.properties.size() || !equal_chains(a.chain.get(), b.chain.get())) return false;
   return std::ranges::all_of(a.properties, [&](const PropertyValue& p) {
@@ -257,10 +257,10 @@ std::string describe(const Value& value) {
   default:
     return "nothing";
   }
-  const std::string_view noun = value.thing().noun->name;
+  const std::string_view type = value.thing().type->name;
   const bool has_vowel =
-      std::string_view("aeiou").find(noun.front()) != std::string_view::npos && !noun.starts_with("uni");
-  return fmt::format("{} {}", has_vowel ? "an" : "a", noun);
+      std::string_view("aeiou").find(type.front()) != std::string_view::npos && !type.starts_with("uni");
+  return fmt::format("{} {}", has_vowel ? "an" : "a", type);
 }
 
 std::string count_of_arguments(std::size_t count) {

@@ -30,7 +30,7 @@ std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::spa
   return found;
 }
 
-const scene::Object* spokesman(const scene::Scene& scene, std::span<const std::uint32_t> path) {
+const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint32_t> path) {
   const auto objects = objects_on(scene, path);
   for (const scene::Object* object : objects)
     if (object->name != scene::no_name) return object;
@@ -78,7 +78,7 @@ std::string describe(const scene::Scene& scene, const scene::Light& light) {
 }
 
 std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path) {
-  const scene::Object* const object = spokesman(scene, path);
+  const scene::Object* const object = owner(scene, path);
   return object ? with_place(name_of(scene, *object), place_of(scene, object->origin)) : "?";
 }
 

@@ -16,7 +16,7 @@ std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::spa
 
 /// The object that answers for the whole of what was hit: the outermost that has a name, else the outermost
 /// combination, else the shape itself. None for an empty path.
-const scene::Object* spokesman(const scene::Scene& scene, std::span<const std::uint32_t> path);
+const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
 /// Its name, or its noun where it has none; of a combination its operation.
 std::string name_of(const scene::Scene& scene, const scene::Object& object);

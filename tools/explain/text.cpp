@@ -84,7 +84,7 @@ std::string Namer::whole(std::span<const scene::Object* const> objects) const {
 }
 
 std::string Namer::title(std::span<const std::uint32_t> path) const {
-  const scene::Object* const o = spokesman(scene_, path);
+  const scene::Object* const o = owner(scene_, path);
   return o ? object(*o) : "?";
 }
 

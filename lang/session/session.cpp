@@ -285,8 +285,8 @@ const scene::Scene& Session::scene() {
 const std::vector<Diagnostic>& Session::assumptions() {
   return state_->scene.assumptions();
 }
-std::vector<SceneStretch> Session::stretches() {
-  return state_->scene.stretches();
+std::vector<SceneRange> Session::ranges() {
+  return state_->scene.ranges();
 }
 
 std::vector<ListedObject> Session::objects() {

@@ -43,7 +43,7 @@ struct ListedObject {
 };
 
 /// Objects of the scene that follow one another, with a number that stands for what they are.
-struct SceneStretch {
+struct SceneRange {
   std::uint32_t begin = 0, end = 0;
   std::uint64_t stamp = 0;
 };
@@ -108,7 +108,7 @@ public:
   const scene::Scene& scene();
   /// Its objects cut into stretches, none of which is very short; those that hold what they held before have the same
   /// stamp. What is in none of them are few objects.
-  std::vector<SceneStretch> stretches();
+  std::vector<SceneRange> ranges();
   /// The notes on what was assumed for it.
   const std::vector<Diagnostic>& assumptions();
   std::vector<ListedObject> objects();

@@ -128,7 +128,7 @@ public:
     leave(placed.subspan(first), enough);
   }
 
-  std::vector<SceneStretch> found;
+  std::vector<SceneRange> found;
 
 private:
   template <class Placed>
@@ -140,7 +140,7 @@ private:
 
 } // namespace
 
-std::vector<SceneStretch> SessionScene::stretches() const {
+std::vector<SceneRange> SessionScene::ranges() const {
   Cutter cutter;
   cutter.cut(std::span<const Placed>(placed_), 8192);
   return std::move(cutter.found);

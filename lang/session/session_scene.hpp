@@ -16,7 +16,7 @@ public:
   void show(const Document& document);
   const scene::Scene& scene() const { return evaluator_.scene(); }
   const std::vector<Diagnostic>& assumptions() const { return assumptions_; }
-  std::vector<SceneStretch> stretches() const;
+  std::vector<SceneRange> ranges() const;
 
 private:
   // A statement with objects, where they are in the scene.

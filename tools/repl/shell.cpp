@@ -91,8 +91,7 @@ Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>*
   const scene::Scene& scene = session_.scene();
   if (!traceable_ || traced_version_ != session_.version()) {
     std::vector<Part> parts;
-    for (const lang::SceneStretch& stretch : session_.stretches())
-      parts.push_back({stretch.begin, stretch.end, stretch.stamp});
+    for (const lang::SceneRange& range : session_.ranges()) parts.push_back({range.begin, range.end, range.stamp});
     traceable_.reset();
     traceable_.emplace(scene, parts, cache_);
     traced_version_ = session_.version();

@@ -219,13 +219,13 @@ TEST_CASE("session: what does not change is neither evaluated nor in another str
   Talk talk;
   talk.say("for i in 0..<20000 { sphere { at: [i % 100, 0, i / 100], radius: 0.3 } }");
   for (int i = 0; i < 30; ++i) talk.say("box { at: [" + std::to_string(i) + ", 3, 0] }");
-  const auto before = talk.session.stretches();
+  const auto before = talk.session.ranges();
   REQUIRE(before.size() == 1);
   CHECK(before[0].end == 20000);
   const auto objects = talk.session.counters().objects_evaluated;
   talk.say("sphere { at: [0, 9, 0] }");
   CHECK(talk.session.counters().objects_evaluated == objects + 1);
-  const auto after = talk.session.stretches();
+  const auto after = talk.session.ranges();
   REQUIRE(after.size() == 1);
   CHECK(after[0].stamp == before[0].stamp);
   CHECK(talk.count() == 20031);
@@ -366,23 +366,23 @@ TEST_CASE("session: most of a scene of many unlike things stays in stretches tha
   const Folder folder;
   Talk talk;
   REQUIRE(talk.session.load(folder.write("many.rtl", text)).is_accepted);
-  const auto before = talk.session.stretches();
-  const auto held = [](const std::vector<rt::lang::SceneStretch>& stretches) {
+  const auto before = talk.session.ranges();
+  const auto held = [](const std::vector<rt::lang::SceneRange>& ranges) {
     std::uint32_t sum = 0;
-    for (const auto& stretch : stretches) sum += stretch.end - stretch.begin;
+    for (const auto& range : ranges) sum += range.end - range.begin;
     return sum;
   };
   CHECK(held(before) > 5000 - 400);
   talk.say("box {}");
-  const auto after = talk.session.stretches();
+  const auto after = talk.session.ranges();
   REQUIRE(after.size() == before.size());
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(after[i].stamp == before[i].stamp);
   // A change in the middle makes anew what it is in, and nothing else.
   REQUIRE(talk.session.set("n1500.radius", "0.2").is_accepted);
-  const auto changed = talk.session.stretches();
+  const auto changed = talk.session.ranges();
   std::uint32_t kept = 0;
-  for (const auto& stretch : changed)
+  for (const auto& range : changed)
     for (const auto& old : before)
-      if (old.stamp == stretch.stamp) kept += stretch.end - stretch.begin;
+      if (old.stamp == range.stamp) kept += range.end - range.begin;
   CHECK(kept > 2500);
 }

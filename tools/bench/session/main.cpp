@@ -50,7 +50,7 @@ private:
 
 std::vector<rt::Part> parts_of(Session& session) {
   std::vector<rt::Part> parts;
-  for (const rt::lang::SceneStretch& s : session.stretches()) parts.push_back({s.begin, s.end, s.stamp});
+  for (const rt::lang::SceneRange& s : session.ranges()) parts.push_back({s.begin, s.end, s.stamp});
   return parts;
 }
 

@@ -190,9 +190,9 @@ void Checker::check_repeat(Unit& unit, const Repeat& repeat) {
     if (report_.error_count() != before) wrong_models_.push_back(model);
   }
   if (std::ranges::find(wrong_models_, model) == wrong_models_.end()) return;
-  StandIn stand_in(report_, program_.sources, unit.ast.model_span(repeat));
+  RepeatSpans spans(report_, program_.sources, unit.ast.model_span(repeat));
   for (std::uint32_t i = 0; i < repeat.count && !report_.is_full(); ++i) {
-    stand_in.stand_for(unit.ast.item_span(repeat, i));
+    spans.stand_for(unit.ast.item_span(repeat, i));
     check_item(unit, repeat.model);
   }
 }

@@ -55,7 +55,7 @@ private:
 } // namespace
 
 // The same words in the item; all of the item where it is put another way (in more brackets, say).
-Span StandIn::place(Span span) const {
+Span RepeatSpans::place(Span span) const {
   if (span.file != model_.file || span.begin < model_.begin || span.end > model_.end) return span;
   const std::string_view text = sources_.file(model_.file).text;
   Words model(text, model_), item(text, item_);
@@ -69,7 +69,7 @@ Span StandIn::place(Span span) const {
 }
 
 Span Report::place(Span span) const {
-  for (const StandIn* s = stand_in_; s; s = s->outer_) span = s->place(span);
+  for (const RepeatSpans* s = stand_in_; s; s = s->outer_) span = s->place(span);
   return span;
 }
 

@@ -11,7 +11,7 @@
 
 namespace rt::lang {
 
-class StandIn;
+class RepeatSpans;
 
 /// Collects what check and evaluation have to say: each mistake once for each place, however often a loop comes by.
 class Report {
@@ -38,13 +38,13 @@ public:
   /// Also those that were not listed.
   std::size_t error_count() const { return errors_; }
   bool is_full() const { return diagnostics_.size() >= most; }
-  /// Where something is that is known by its place in a model: see StandIn.
+  /// Where something is that is known by its place in a model: see RepeatSpans.
   Span place(Span span) const;
   /// All of them, in the order of their places in each file.
   std::vector<Diagnostic> finish();
 
 private:
-  friend class StandIn;
+  friend class RepeatSpans;
 
   std::vector<Diagnostic> diagnostics_;
   std::vector<Diagnostic> remarks_;
@@ -53,20 +53,20 @@ private:
   std::size_t errors_ = 0;
   bool is_cut_ = false; // there were more errors
   bool wants_remarks_ = false;
-  const StandIn* stand_in_ = nullptr;
+  const RepeatSpans* stand_in_ = nullptr;
 };
 
 /// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a
 /// place in the model is said about the same words of the item.
-class StandIn {
+class RepeatSpans {
 public:
-  StandIn(Report& report, const SourceMap& sources, Span model)
+  RepeatSpans(Report& report, const SourceMap& sources, Span model)
       : report_(report), sources_(sources), model_(model), item_(model), outer_(report.stand_in_) {
     report_.stand_in_ = this;
   }
-  ~StandIn() { report_.stand_in_ = outer_; }
-  StandIn(const StandIn&) = delete;
-  StandIn& operator=(const StandIn&) = delete;
+  ~RepeatSpans() { report_.stand_in_ = outer_; }
+  RepeatSpans(const RepeatSpans&) = delete;
+  RepeatSpans& operator=(const RepeatSpans&) = delete;
 
   /// From now on it stands in for this one.
   void stand_for(Span item) { item_ = item; }
@@ -79,7 +79,7 @@ private:
   Report& report_;
   const SourceMap& sources_;
   Span model_, item_;
-  const StandIn* outer_;
+  const RepeatSpans* outer_;
 };
 
 } // namespace rt::lang

@@ -71,7 +71,7 @@ void Evaluator::repeat(NodeId node, const Context& context, Target& target) {
   const Repeat repeat = ast.repeat(node);
   if (target.objects && repeat.count > target.objects->size())
     target.objects->reserve(target.objects->size() + repeat.count);
-  StandIn model(report_, program_.sources, ast.model_span(repeat));
+  RepeatSpans model(report_, program_.sources, ast.model_span(repeat));
   for (std::uint32_t i = 0; i < repeat.count; ++i) {
     ast.become(repeat, i);
     model.stand_for(ast.item_span(repeat, i));

@@ -204,7 +204,7 @@ bool RepeatFolder::extend_repeat(const Model& model) {
 // doubt, the model's items all go through the grammar.
 void RepeatFolder::learn_wording(Model& model, std::string_view text) const {
   const AstBuilder::Operand& item = builder_.top();
-  model.wording = Wording::of(text.substr(item.begin, item.end - item.begin), literals_);
+  model.repeat_text = RepeatText::of(text.substr(item.begin, item.end - item.begin), literals_);
 }
 
 // Follows the text along one model; where it leaves that for another, all models that have left it too are out.
@@ -212,7 +212,7 @@ std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, st
   const std::span<const Model> models = known_models();
   static_assert(most_models <= 64);
   std::uint64_t candidates = 0; // a bit for each model; all agree with one another on the first `agreed` pieces
-  for (std::size_t i = 0; i < models.size(); ++i) candidates |= std::uint64_t{models[i].wording.has_value()} << i;
+  for (std::size_t i = 0; i < models.size(); ++i) candidates |= std::uint64_t{models[i].repeat_text.has_value()} << i;
   std::size_t agreed = 0;
   const Model* model = nullptr;
   std::uint32_t at = begin;
@@ -220,13 +220,15 @@ std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, st
   for (;;) {
     const std::size_t number = literals_.size();
     const std::string_view rest = text.substr(at);
-    const auto goes_on = [&](const Wording& w) { return number <= w.numbers() && rest.starts_with(w.piece(number)); };
-    if (!model || !goes_on(*model->wording)) {
+    const auto goes_on = [&](const RepeatText& w) {
+      return number <= w.numbers() && rest.starts_with(w.piece(number));
+    };
+    if (!model || !goes_on(*model->repeat_text)) {
       const Model* next = nullptr;
       for (std::uint64_t left = candidates; left != 0; left &= left - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        const Wording& w = *models[i].wording;
-        if (!goes_on(w) || (model && !w.agrees(*model->wording, agreed, number)))
+        const RepeatText& w = *models[i].repeat_text;
+        if (!goes_on(w) || (model && !w.agrees(*model->repeat_text, agreed, number)))
           candidates &= ~(std::uint64_t{1} << i);
         else if (!next)
           next = &models[i];
@@ -235,8 +237,8 @@ std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, st
       model = next;
       agreed = number + 1;
     }
-    at += static_cast<std::uint32_t>(model->wording->piece(number).size());
-    if (number == model->wording->numbers()) break;
+    at += static_cast<std::uint32_t>(model->repeat_text->piece(number).size());
+    if (number == model->repeat_text->numbers()) break;
     const NumberLiteral literal = read_signed_number(text.substr(at));
     if (literal.length == 0 || std::isinf(literal.value)) return std::nullopt; // no number, or one to complain of
     literals_.push_back(literal.value);

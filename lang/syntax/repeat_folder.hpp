@@ -44,7 +44,7 @@ private:
     std::uint32_t first_node, last_node, first_link, links;
     std::uint32_t operand; ///< where it stands on the builder's stack
     bool is_repeated = false;
-    std::optional<Wording> wording{};
+    std::optional<RepeatText> repeat_text{};
   };
   struct Block {
     std::uint32_t first_operand = 0;

@@ -33,9 +33,9 @@ bool is_same(double a, double b) {
 
 } // namespace
 
-std::optional<Wording> Wording::of(std::string_view item, std::span<const double> literals) {
+std::optional<RepeatText> RepeatText::of(std::string_view item, std::span<const double> literals) {
   if (item.find_first_of(doubtful) != std::string_view::npos) return std::nullopt;
-  Wording wording;
+  RepeatText repeat_text;
   std::uint32_t begin = 0; // of the piece
   char last = '\0';        // that is not blank
   for (std::uint32_t at = 0; at < item.size();) {
@@ -45,24 +45,24 @@ std::optional<Wording> Wording::of(std::string_view item, std::span<const double
     } else if (is_digit(c) || (c == '-' && is_one_of(before_number, last))) {
       const NumberLiteral literal = read_signed_number(item.substr(at));
       const std::uint32_t end = at + literal.length;
-      const std::size_t number = wording.pieces_.size();
+      const std::size_t number = repeat_text.pieces_.size();
       if (!is_one_of(before_number, last) || literal.length == 0 || !ends(item, end, after_number) ||
           number == literals.size() || !is_same(literals[number], literal.value))
         return std::nullopt;
-      wording.pieces_.push_back(item.substr(begin, at - begin));
+      repeat_text.pieces_.push_back(item.substr(begin, at - begin));
       begin = at = end;
     } else {
       ++at;
     }
     if (!is_blank(item[at - 1])) last = item[at - 1];
   }
-  if (wording.pieces_.size() != literals.size() || last != '}') return std::nullopt;
-  wording.pieces_.push_back(item.substr(begin));
-  return wording;
+  if (repeat_text.pieces_.size() != literals.size() || last != '}') return std::nullopt;
+  repeat_text.pieces_.push_back(item.substr(begin));
+  return repeat_text;
 }
 
-bool Wording::agrees(const Wording& other, std::size_t first, std::size_t last) const {
-  const auto begin = [&](const Wording& w) { return w.pieces_.begin() + static_cast<std::ptrdiff_t>(first); };
+bool RepeatText::agrees(const RepeatText& other, std::size_t first, std::size_t last) const {
+  const auto begin = [&](const RepeatText& w) { return w.pieces_.begin() + static_cast<std::ptrdiff_t>(first); };
   return pieces_.size() >= last && other.pieces_.size() >= last &&
          std::equal(begin(*this), pieces_.begin() + static_cast<std::ptrdiff_t>(last), begin(other));
 }

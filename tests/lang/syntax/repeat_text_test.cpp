@@ -10,7 +10,7 @@ using namespace rt::lang;
 namespace {
 
 std::vector<std::string> pieces(std::string_view item, const std::vector<double>& literals) {
-  const std::optional<Wording> wording = Wording::of(item, literals);
+  const std::optional<RepeatText> wording = RepeatText::of(item, literals);
   std::vector<std::string> found;
   if (!wording) return found;
   for (std::size_t i = 0; i <= wording->numbers(); ++i) found.emplace_back(wording->piece(i));

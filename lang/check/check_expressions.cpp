@@ -9,7 +9,7 @@
 
 namespace rt::lang {
 
-Known Checker::check_expression(Unit& unit, NodeId node) {
+StaticType Checker::check_expression(Unit& unit, NodeId node) {
   Ast& ast = unit.ast;
   switch (ast.kind(node)) {
   case Kind::name:
@@ -59,22 +59,22 @@ Known Checker::check_expression(Unit& unit, NodeId node) {
   }
 }
 
-Known Checker::check_binary(Unit& unit, NodeId node) {
-  const Known left = check_expression(unit, unit.ast.left(node));
+StaticType Checker::check_binary(Unit& unit, NodeId node) {
+  const StaticType left = check_expression(unit, unit.ast.left(node));
   check_expression(unit, unit.ast.right(node));
-  Known known;
+  StaticType known;
   if (!left.is_thing() || !left.type->is_shape()) return known;
   using Operation = scene::Combination::Operation;
   const Op op = unit.ast.op(node);
   if (op != Op::unite && op != Op::intersect && op != Op::subtract) return known;
-  known.what = Known::What::thing;
+  known.what = StaticType::What::thing;
   known.type = &program_.types.combination(op == Op::unite       ? Operation::unite
                                            : op == Op::intersect ? Operation::intersect
                                                                  : Operation::subtract);
   return known;
 }
 
-Known Checker::check_if_value(Unit& unit, NodeId node) {
+StaticType Checker::check_if_value(Unit& unit, NodeId node) {
   const IfNode branch = unit.ast.if_node(node);
   check_expression(unit, branch.condition);
   const auto check_branch = [&](NodeId body) {
@@ -127,7 +127,7 @@ void Checker::check_value_block(Unit& unit, NodeId block, std::string_view what)
   close_scope();
 }
 
-Known Checker::check_lambda(Unit& unit, NodeId node) {
+StaticType Checker::check_lambda(Unit& unit, NodeId node) {
   const Function function = unit.ast.function(node);
   const auto index = static_cast<std::uint32_t>(program_.functions.size());
   FunctionInfo& info = program_.functions.emplace_back();
@@ -144,22 +144,22 @@ Known Checker::check_lambda(Unit& unit, NodeId node) {
   const Symbol outer = being_bound_;
   check_function_body(unit, node);
   being_bound_ = outer;
-  Known known;
-  known.what = Known::What::function;
+  StaticType known;
+  known.what = StaticType::What::function;
   known.function = &info;
   return known;
 }
 
 // A name is looked up among the questions and the chain methods too, unless the scene has bound it.
-Known Checker::check_callee(Unit& unit, NodeId callee) {
+StaticType Checker::check_callee(Unit& unit, NodeId callee) {
   Ast& ast = unit.ast;
   if (ast.kind(callee) == Kind::member) return check_member(unit, callee, true);
   if (ast.kind(callee) != Kind::name || find(ast.symbol(callee))) return check_expression(unit, callee);
   const std::string_view word = name(ast.symbol(callee));
-  Known known;
+  StaticType known;
   if (const auto question = is_in_expect_ ? find_question(word) : std::nullopt) {
     ast.set_slot(callee, static_cast<std::uint32_t>(*question), pack(Resolution::question, 0));
-    known.what = Known::What::builtin, known.builtin = &questions()[*question];
+    known.what = StaticType::What::builtin, known.builtin = &questions()[*question];
     return known;
   }
   if (!find_chain_method(word)) return check_expression(unit, callee);
@@ -180,28 +180,28 @@ bool Checker::is_query(const Unit& unit, NodeId node) const {
   return word == "pixel" || word == "image_point" || word == "ray";
 }
 
-Known Checker::check_call(Unit& unit, NodeId node) {
+StaticType Checker::check_call(Unit& unit, NodeId node) {
   Ast& ast = unit.ast;
   const Call call = ast.call(node);
-  const Known callee = check_callee(unit, call.callee);
+  const StaticType callee = check_callee(unit, call.callee);
   for (const NodeId argument : call.arguments) {
     if (ast.kind(argument) == Kind::argument)
       check_expression(unit, ast.named(argument).value);
     else
       check_expression(unit, argument);
   }
-  if (callee.what == Known::What::function && callee.function)
+  if (callee.what == StaticType::What::function && callee.function)
     check_function_call(unit, node, *callee.function);
-  else if (callee.what == Known::What::builtin)
+  else if (callee.what == StaticType::What::builtin)
     check_signature_call(unit, node, callee.builtin->name, callee.builtin->signature);
   else if (callee.is_thing() && callee.is_bare_noun)
     check_thing_call(unit, node, callee);
   if (report_.wants_remarks()) {
     const ChainMethod* method =
         ast.kind(call.callee) == Kind::member ? find_chain_method(name(ast.member(call.callee).symbol)) : nullptr;
-    if (method && callee.what != Known::What::function)
+    if (method && callee.what != StaticType::What::function)
       check_angle_arguments(unit, node, method->signature, method->name == "rotate");
-    else if (callee.what == Known::What::builtin)
+    else if (callee.what == StaticType::What::builtin)
       check_angle_arguments(unit, node, callee.builtin->signature, false);
   }
   // A chain method gives the thing it was called on, with one step more.
@@ -209,7 +209,7 @@ Known Checker::check_call(Unit& unit, NodeId node) {
   return {};
 }
 
-void Checker::check_thing_call(Unit& unit, NodeId node, const Known& callee) {
+void Checker::check_thing_call(Unit& unit, NodeId node, const StaticType& callee) {
   const Call call = unit.ast.call(node);
   Diagnostic* d = report_.error("E0209", unit.ast.span(node));
   if (!d) return;
@@ -318,14 +318,14 @@ void Checker::check_signature_call(Unit& unit, NodeId node, std::string_view fun
   }
 }
 
-Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
+StaticType Checker::check_member(Unit& unit, NodeId node, bool is_called) {
   const Member member = unit.ast.member(node);
   reads_part_ = !is_called && unit.ast.kind(member.base) == Kind::name;
-  const Known base = check_expression(unit, member.base);
+  const StaticType base = check_expression(unit, member.base);
   const std::string_view word = name(member.symbol);
   const Span span = unit.ast.member_span(node, program_.symbols);
-  Known known;
-  if (base.what == Known::What::module) {
+  StaticType known;
+  if (base.what == StaticType::What::module) {
     const ModuleInfo::Export* found = base.module->find(member.symbol);
     if (!found) {
       if (Diagnostic* d = report_.error("E0212", span)) {
@@ -340,7 +340,8 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
     if (!found->function && !found->type) return known;
     known.function = found->function;
     known.type = found->type;
-    known.what = found->type || found->function->kind == Kind::def ? Known::What::thing : Known::What::function;
+    known.what =
+        found->type || found->function->kind == Kind::def ? StaticType::What::thing : StaticType::What::function;
     if (found->function && found->function->kind == Kind::def)
       known.type = &program_.types.group(), known.is_bare_noun = true;
     return known;
@@ -362,21 +363,21 @@ Known Checker::check_member(Unit& unit, NodeId node, bool is_called) {
   return known;
 }
 
-Known Checker::check_override(Unit& unit, NodeId node) {
+StaticType Checker::check_override(Unit& unit, NodeId node) {
   const Override parts = unit.ast.override_(node);
-  Known base = check_expression(unit, parts.base);
+  StaticType base = check_expression(unit, parts.base);
   Owner owner;
   if (base.is_thing()) {
     owner.type = base.type;
     owner.def = base.function;
-  } else if (base.what == Known::What::nothing) {
+  } else if (base.what == StaticType::What::nothing) {
     owner.is_unknown = true;
   } else if (Diagnostic* d = report_.error("E0210", unit.ast.span(parts.base))) {
     const std::string_view word = program_.sources.text(unit.ast.span(parts.base));
-    d->message = base.what == Known::What::module ? fmt::format("`{}` is a file, not a thing", word)
-                                                  : fmt::format("`{}` is a function, not a thing", word);
-    d->label = base.what == Known::What::module ? "write the name of a thing in it, after a dot"
-                                                : "a function takes its arguments in ( )";
+    d->message = base.what == StaticType::What::module ? fmt::format("`{}` is a file, not a thing", word)
+                                                       : fmt::format("`{}` is a function, not a thing", word);
+    d->label = base.what == StaticType::What::module ? "write the name of a thing in it, after a dot"
+                                                     : "a function takes its arguments in ( )";
     owner.is_unknown = true;
   }
   const bool is_block = unit.ast.kind(parts.block) == Kind::block;

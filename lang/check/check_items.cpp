@@ -36,7 +36,7 @@ void Checker::declare_library() {
   for (const Program::LibraryName& entry : program_.library_names) {
     Binding* binding = declare(entry.name, entry.span, Binding::What::value);
     binding->slot = entry.slot;
-    binding->known.what = Known::What::thing;
+    binding->known.what = StaticType::What::thing;
     binding->known.type = &program_.types.material();
   }
 }
@@ -125,9 +125,9 @@ void Checker::hoist_function(Unit& unit, NodeId item) {
       declare_use(unit, function.name, info.kind == Kind::def ? NameUses::What::def : NameUses::What::fn);
   binding->known.function = &info;
   if (info.kind == Kind::fn) {
-    binding->known.what = Known::What::function;
+    binding->known.what = StaticType::What::function;
   } else {
-    binding->known.what = Known::What::thing;
+    binding->known.what = StaticType::What::thing;
     binding->known.type = &program_.types.group();
     binding->known.is_bare_noun = true;
   }
@@ -224,7 +224,7 @@ void Checker::check_use(Unit& unit, NodeId item) {
   if (!module) return;
   binding->use = declare_use(unit, unit.ast.use_item(item).name, NameUses::What::module);
   unit.uses.emplace_back(item, module);
-  binding->known.what = Known::What::module;
+  binding->known.what = StaticType::What::module;
   binding->known.module = module;
 }
 
@@ -285,7 +285,7 @@ void Checker::check_bind(Unit& unit, NodeId item) {
   is_in_lambda_ = unit.ast.kind(bind.value) == Kind::lambda;
   const std::uint32_t use = declare_use(unit, bind.name, NameUses::What::value);
   begin_use(use);
-  Known known = check_expression(unit, bind.value);
+  StaticType known = check_expression(unit, bind.value);
   end_use(use);
   settle_use(use, known);
   being_bound_ = outer;

@@ -39,7 +39,7 @@ double as_radians(double number) {
   return 0;
 }
 
-NameUses::What what_is(const Known& known) {
+NameUses::What what_is(const StaticType& known) {
   if (!known.is_thing()) return NameUses::What::value;
   return known.type->is_placeable() ? NameUses::What::thing : NameUses::What::material;
 }
@@ -90,7 +90,7 @@ void Checker::end_use(std::uint32_t use) {
   if (use != NameUses::none) program_.uses->end();
 }
 
-void Checker::settle_use(std::uint32_t use, const Known& known) {
+void Checker::settle_use(std::uint32_t use, const StaticType& known) {
   if (use != NameUses::none) program_.uses->set_what(use, what_is(known));
 }
 

@@ -81,7 +81,7 @@ Checker::Binding* Checker::declare(Unit& unit, NodeId node, Binding::What what) 
   return binding;
 }
 
-Known Checker::resolve(Unit& unit, NodeId node) {
+StaticType Checker::resolve(Unit& unit, NodeId node) {
   Binding* binding = find(unit.ast.symbol(node));
   if (top_item_) note_use(unit.ast.symbol(node), binding);
   if (!binding) {
@@ -107,18 +107,18 @@ Known Checker::resolve(Unit& unit, NodeId node) {
   return binding->known;
 }
 
-Known Checker::resolve_global(Unit& unit, NodeId node) {
+StaticType Checker::resolve_global(Unit& unit, NodeId node) {
   const std::string_view word = name(unit.ast.symbol(node));
   const auto found = [&](Resolution resolution, std::size_t index) {
     unit.ast.set_slot(node, static_cast<std::uint32_t>(index), pack(resolution, 0));
   };
-  Known known;
+  StaticType known;
   if (const NodeType* type = program_.types.find(word)) {
     found(Resolution::type, program_.types.index(*type));
-    known.what = Known::What::thing, known.type = type, known.is_bare_noun = true;
+    known.what = StaticType::What::thing, known.type = type, known.is_bare_noun = true;
   } else if (const auto builtin = find_builtin(word)) {
     found(Resolution::builtin, *builtin);
-    known.what = Known::What::builtin, known.builtin = all_builtins()[*builtin];
+    known.what = StaticType::What::builtin, known.builtin = all_builtins()[*builtin];
   } else if (const Constant* constant = find_constant(word)) {
     found(Resolution::constant, static_cast<std::size_t>(constant - constants().data()));
   } else if (const auto choice = std::ranges::find(program_.choices, word); choice != program_.choices.end()) {

@@ -15,7 +15,7 @@
 namespace rt::lang {
 
 /// What is known of a value without running anything.
-struct Known {
+struct StaticType {
   enum class What : std::uint8_t { nothing, thing, function, builtin, module } what = What::nothing;
   const NodeType* type = nullptr;         ///< of a thing; a def's is `group`
   const FunctionInfo* function = nullptr; ///< of a function; of a thing that a def makes: the def
@@ -43,7 +43,7 @@ struct TopName {
   Symbol name;
   Span span;
   std::uint32_t slot = 0; ///< or index of the function
-  Known known;
+  StaticType known;
 };
 
 /// A statement of a session as check sees it: to be checked, or checked before.
@@ -86,7 +86,7 @@ private:
     std::uint32_t slot = 0; ///< or index of the function
     std::uint32_t shadowed = none;
     std::uint32_t reads = 0;
-    Known known;
+    StaticType known;
     std::uint32_t use = NameUses::none; ///< its number there, for the lint
     int pi_power = 0;                   ///< of its value, for the lint
     bool may_be_property = false;       ///< bound with `=` in a block whose thing has a property of that name
@@ -112,8 +112,8 @@ private:
   std::uint32_t end_activation();
   void declare_library();
   void report_masked_property(const Binding& binding, const Owner& owner);
-  Known resolve(Unit& unit, NodeId name);
-  Known resolve_global(Unit& unit, NodeId name);
+  StaticType resolve(Unit& unit, NodeId name);
+  StaticType resolve_global(Unit& unit, NodeId name);
   void report_unknown_name(const Unit& unit, NodeId name);
   std::vector<std::string_view> visible_names() const;
 
@@ -145,20 +145,20 @@ private:
   bool is_at_top_level() const { return scopes_.size() == top_scope_ + 1; }
 
   // Expressions (check_expressions.cpp)
-  Known check_expression(Unit& unit, NodeId node);
-  Known check_if_value(Unit& unit, NodeId node);
+  StaticType check_expression(Unit& unit, NodeId node);
+  StaticType check_if_value(Unit& unit, NodeId node);
   void check_value_block(Unit& unit, NodeId block, std::string_view what);
-  Known check_lambda(Unit& unit, NodeId node);
-  Known check_call(Unit& unit, NodeId node);
-  Known check_callee(Unit& unit, NodeId callee);
+  StaticType check_lambda(Unit& unit, NodeId node);
+  StaticType check_call(Unit& unit, NodeId node);
+  StaticType check_callee(Unit& unit, NodeId callee);
   void check_function_call(Unit& unit, NodeId node, const FunctionInfo& function);
   void check_signature_call(Unit& unit, NodeId node, std::string_view name, const Signature& signature);
-  void check_thing_call(Unit& unit, NodeId node, const Known& callee);
-  Known check_member(Unit& unit, NodeId node, bool is_called);
-  Known check_override(Unit& unit, NodeId node);
+  void check_thing_call(Unit& unit, NodeId node, const StaticType& callee);
+  StaticType check_member(Unit& unit, NodeId node, bool is_called);
+  StaticType check_override(Unit& unit, NodeId node);
   void check_comprehension(Unit& unit, NodeId node);
   void check_record(Unit& unit, NodeId node);
-  Known check_binary(Unit& unit, NodeId node);
+  StaticType check_binary(Unit& unit, NodeId node);
   bool is_simple(const Unit& unit, NodeId block, const NodeType& type) const;
   bool has_closure(const Unit& unit, NodeId node) const;
 
@@ -174,7 +174,7 @@ private:
   std::uint32_t declare_use(const Unit& unit, NodeId name_node, NameUses::What what);
   void begin_use(std::uint32_t use);
   void end_use(std::uint32_t use);
-  void settle_use(std::uint32_t use, const Known& known);
+  void settle_use(std::uint32_t use, const StaticType& known);
   int pi_power(const Unit& unit, NodeId node);
   void check_angle(const Unit& unit, NodeId node);
   void check_angle_property(const Unit& unit, NodeId item, const Property& property);

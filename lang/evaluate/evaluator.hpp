@@ -310,12 +310,12 @@ private:
   Expectations outcome_;
   const ObserverMaker* make_observer_ = nullptr; // null: expectations are passed over
   std::unique_ptr<Observer> observer_;           // of the scene
-  struct Alone {
+  struct SingleExpression {
     Value thing;
     std::unique_ptr<scene::Scene> scene;
     std::unique_ptr<Observer> observer;
   };
-  Alone alone_;                // the thing that was asked about last
+  SingleExpression alone_;     // the thing that was asked about last
   bool has_leftovers_ = false; // shapes may have been made that stand nowhere
 };
 

@@ -67,7 +67,7 @@ Loaded load(std::string name, std::string text) {
   const std::atomic<bool> stop = true;
   const LoadOptions options = options_of(text, stop);
   Loaded loaded = load_text(std::move(text), std::move(name), folder.string(), options);
-  if (options.lint) loaded.diagnostics = rt::tools::ask::lint(loaded, {});
+  if (options.lint) loaded.diagnostics = rt::tools::explain::lint(loaded, {});
   return loaded;
 }
 

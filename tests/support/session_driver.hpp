@@ -16,7 +16,7 @@
 namespace rt::lang::testing {
 
 // A session that is told what it should accept.
-struct Talk {
+struct SessionDriver {
   Session session{"."};
 
   SessionResult say(const std::string& text) {

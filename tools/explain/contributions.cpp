@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 class Taker {
@@ -81,4 +81,4 @@ Sum take_apart(const RayNode& root) {
   return sum;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// How light that is seen in one surface came there.
 struct WayStep {
@@ -50,4 +50,4 @@ inline double size_of(const Color& c) {
   return c.r + c.g + c.b;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ public:
     case scene::Combination::Operation::unite:
       return unite(a, b);
     case scene::Combination::Operation::intersect:
-      return rt::tools::ask::intersect(a, b);
+      return rt::tools::explain::intersect(a, b);
     case scene::Combination::Operation::subtract:
       return subtract(a, b);
     }
@@ -146,4 +146,4 @@ std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, s
   return result;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

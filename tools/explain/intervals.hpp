@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Where a line is inside of solids and what combinations make of them: interval lists, worked out beside the tracer.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// The line is inside from `enter` to `leave`; both may be infinite.
 struct Stretch {
@@ -40,4 +40,4 @@ struct CombinationStretches {
 std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
                                                     const Ray& ray);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 std::string name_at(const scene::Scene& scene, scene::NameId id) {
@@ -82,4 +82,4 @@ std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path
   return object ? with_place(name_of(scene, *object), place_of(scene, object->origin)) : "?";
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// How objects and lights are called in answers.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// The objects that a path of positions leads through, from the scene's list inwards; the last is the shape itself.
 /// The path must be one of this scene's (`HitReport::path`).
@@ -32,4 +32,4 @@ std::string describe(const scene::Scene& scene, const scene::Light& light);
 /// The name of what answers for the whole.
 std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 class TracingObserver final : public lang::Observer {
@@ -46,4 +46,4 @@ lang::ObserverMaker tracing_observer() {
   return [](const scene::Scene& scene) { return std::make_unique<TracingObserver>(scene); };
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

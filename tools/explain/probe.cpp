@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -109,4 +109,4 @@ json probe_json(const scene::Scene& scene, const NamedRay& ray, const std::vecto
           {"hits", std::move(list)}};
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

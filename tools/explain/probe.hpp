@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 /// What a ray meets.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// The hits of a ray, the nearest only or all, as text and as JSON. A miss is an answer.
 std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits, bool all);
@@ -18,4 +18,4 @@ std::vector<HitReport> find_hits(const RayQuery& query, const Ray& ray, bool all
 std::string text_of(const Vec3& v);
 std::string text_of(const Color& c);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 int grid_side(const scene::Scene& scene) {
@@ -62,4 +62,4 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, std::
   return numbers;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

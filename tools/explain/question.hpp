@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Which ray a question is about.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// One of a pixel, a point of the picture, and a ray.
 struct Question {
@@ -30,4 +30,4 @@ NamedRay resolve(const Question& question, const scene::Scene& scene, const Came
 /// "400,300" and "0,1.5,-2": numbers between commas. Throws UsageError, naming the option.
 std::vector<double> numbers_of(const std::string& text, std::size_t count, std::string_view option);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -2,7 +2,7 @@
 
 #include "renderer/integrators/whitted.hpp"
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 using Integrator = Whitted<>;
@@ -141,4 +141,4 @@ std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size
   return std::move(recorder.root);
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

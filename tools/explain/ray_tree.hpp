@@ -8,7 +8,7 @@
 #include <vector>
 
 /// A ray and all that came of it, as the integrator told it: the numbers of this tree are the picture's own.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 struct RayNode;
 
@@ -91,4 +91,4 @@ struct RayNode {
 /// detail.
 std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces = 20'000);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 constexpr int columns = 100;
@@ -131,4 +131,4 @@ void Page::line(int indent, std::string_view text, int hang) {
   text_ += '\n';
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

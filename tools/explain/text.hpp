@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Numbers, names and lines as an explanation writes them.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// With as many digits as one can compare by eye: nine for a number, six for the parts of vectors and colours.
 std::string number_text(double v);
@@ -58,4 +58,4 @@ private:
   std::string text_;
 };
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 constexpr double dark_below = 0.05; // of the largest component, linear: #3f3f3f and darker
@@ -361,4 +361,4 @@ std::string verdict(const Answer& answer) {
   return fmt::format("{} because {}", word, reason) + (tells_cut ? "" : cuts(answer));
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 // The picture's own way to a pixel: the mean over the grid of its samples.
@@ -33,4 +33,4 @@ std::string shown(const Color& linear) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte(linear.r), byte(linear.g), byte(linear.b));
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

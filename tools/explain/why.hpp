@@ -12,7 +12,7 @@
 #include <string_view>
 
 /// Why a ray brings the light it brings.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// A question that has been traced.
 struct Answer {
@@ -43,4 +43,4 @@ std::string shown(const Color& linear);
 /// How a term's light came: "the sky, mirrored in `ball` (line 7)" without its first words.
 std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

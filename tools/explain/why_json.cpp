@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -144,7 +144,7 @@ private:
   json lamp(const LampNode& node) const {
     const LightRecord& r = node.record;
     const scene::Light& light = answer_.scene.lights[r.lamp];
-    json j = place_json(answer_.scene, {{"light", ask::name_of(answer_.scene, light)}}, light.origin);
+    json j = place_json(answer_.scene, {{"light", explain::name_of(answer_.scene, light)}}, light.origin);
     j["distance"] = to_json(r.incidence.distance);
     j["fade"] = to_json(r.incidence.fade);
     j["cone"] = to_json(r.incidence.spot);
@@ -201,4 +201,4 @@ json why_json(const Answer& answer, int depth) {
   return j;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

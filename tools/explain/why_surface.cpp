@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 std::string text_of(const Quantity& q) {
@@ -300,4 +300,4 @@ void write_total_reflection(const Answer& answer, const SurfaceNode& s, Page& pa
                 angle_text(t.cosine), angle_text(sine(1 / eta))));
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

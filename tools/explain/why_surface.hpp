@@ -5,7 +5,7 @@
 #include "tools/explain/why.hpp"
 
 /// One surface of a tree of rays as text.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// What was met, how the ray meets it, and the terms of its shading.
 void write_surface(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
@@ -18,4 +18,4 @@ void write_total_reflection(const Answer& answer, const SurfaceNode& surface, Pa
 Derivation derivation_of(const Answer& answer, const SurfaceNode& surface);
 std::optional<CombinationStretches> stretches_of(const Answer& answer, const SurfaceNode& surface);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

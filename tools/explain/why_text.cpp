@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 std::string_view name_of(RayKind kind) {
@@ -183,4 +183,4 @@ std::string why_text(const Answer& answer, int depth) {
   return page.take();
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -22,21 +22,21 @@ std::shared_ptr<QuestionArguments> add_question_arguments(CLI::App& app) {
   return a;
 }
 
-ask::Question question_of(const QuestionArguments& a) {
-  ask::Question q;
+explain::Question question_of(const QuestionArguments& a) {
+  explain::Question q;
   if (!a.pixel.empty()) {
-    const auto xy = ask::numbers_of(a.pixel, 2, "--pixel");
+    const auto xy = explain::numbers_of(a.pixel, 2, "--pixel");
     if (xy[0] != std::trunc(xy[0]) || xy[1] != std::trunc(xy[1]) || std::abs(xy[0]) > 1e9 || std::abs(xy[1]) > 1e9)
       throw UsageError("--pixel takes whole numbers; for a point between pixel centres there is --at");
     q.pixel = {static_cast<int>(xy[0]), static_cast<int>(xy[1])};
   }
   if (a.sample >= 0) q.sample = a.sample;
   if (!a.at.empty()) {
-    const auto xy = ask::numbers_of(a.at, 2, "--at");
+    const auto xy = explain::numbers_of(a.at, 2, "--at");
     q.at = {xy[0], xy[1]};
   }
   if (!a.ray.empty()) {
-    const auto o = ask::numbers_of(a.ray[0], 3, "--ray"), d = ask::numbers_of(a.ray[1], 3, "--ray");
+    const auto o = explain::numbers_of(a.ray[0], 3, "--ray"), d = explain::numbers_of(a.ray[1], 3, "--ray");
     q.ray = Ray{{o[0], o[1], o[2]}, {d[0], d[1], d[2]}};
   }
   return q;

@@ -22,6 +22,6 @@ struct QuestionArguments {
 std::shared_ptr<QuestionArguments> add_question_arguments(CLI::App& app);
 
 /// Throws UsageError for what is not a pixel, a point or a ray.
-ask::Question question_of(const QuestionArguments& arguments);
+explain::Question question_of(const QuestionArguments& arguments);
 
 } // namespace rt::tools

@@ -14,7 +14,7 @@ namespace {
 
 Loaded tried(const std::string& text) {
   LoadOptions options;
-  options.observe = tools::ask::tracing_observer();
+  options.observe = tools::explain::tracing_observer();
   return load_text(text, "test.rtl", ".", options);
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("expect: the exercises hold") {
   std::size_t scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(RTLANG_SOURCE_DIR "/examples/exercises")) {
     LoadOptions options;
-    options.observe = tools::ask::tracing_observer();
+    options.observe = tools::explain::tracing_observer();
     const Loaded loaded = load_file(entry.path().string(), options);
     ++scenes;
     for (const Diagnostic& d : loaded.diagnostics) {

@@ -5,7 +5,7 @@ using rt::lang::SessionResult;
 using namespace rt::lang::testing;
 
 TEST_CASE("session: comments stay where they are") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("// a ball\nball = sphere {} // round\n// and that is it");
   talk.say("ball");
   CHECK(talk.session.text() == "// a ball\nball = sphere {} // round\n// and that is it\nball\n");
@@ -22,7 +22,7 @@ TEST_CASE("session: a file that is loaded is its document, word by word, and mak
       "table { width: 2 } // uses what comes later\n\ndef table(width = 1) {\n  box { size: [width, 0.1, width] }\n}\n"
       "sphere { at: [0, 1, 0] }\nsphere { at: [1, 1, 0] }\nsphere { at: [2, 1, 0] }\n";
   const std::string path = folder.write("scene.rtl", text);
-  Talk talk;
+  SessionDriver talk;
   talk.say("box {}");
   REQUIRE(talk.session.load(path).is_accepted);
   CHECK(talk.session.text() == text);
@@ -37,7 +37,7 @@ TEST_CASE("session: things of a loaded file can be changed like others") {
   const std::string path =
       folder.write("scene.rtl", "r = 0.5\nsphere { radius: r, at: [0, 0, 0] }\nsphere { radius: r, at: [1, 0, 0] }\n"
                                 "sphere { radius: r, at: [2, 0, 0] }\n");
-  Talk talk;
+  SessionDriver talk;
   REQUIRE(talk.session.load(path).is_accepted);
   talk.say(".move(y: 1)");
   CHECK(talk.count() == 3);
@@ -53,7 +53,7 @@ TEST_CASE("session: things of a loaded file can be changed like others") {
 TEST_CASE("session: a file with mistakes is not loaded, and all of them are told") {
   const Folder folder;
   const std::string path = folder.write("scene.rtl", "sphere { raduis: 1 }\nbox { sizze: 2 }\n");
-  Talk talk;
+  SessionDriver talk;
   talk.say("plane {}");
   const SessionResult result = talk.session.load(path);
   CHECK_FALSE(result.is_accepted);
@@ -62,7 +62,7 @@ TEST_CASE("session: a file with mistakes is not loaded, and all of them are told
 }
 
 TEST_CASE("session: without a camera or a light they are assumed, and said so") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("sphere {}");
   REQUIRE(talk.session.assumptions().size() == 2);
   CHECK(talk.session.assumptions()[0].code == "N0001");

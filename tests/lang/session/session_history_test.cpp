@@ -5,7 +5,7 @@ using rt::lang::SessionResult;
 using namespace rt::lang::testing;
 
 TEST_CASE("session: versions are described on one line that says the same") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere {\n  radius: 2\n  at: [\n    1\n    2, 3\n  ]\n}");
   talk.say("for i in 0..1 {\n  box {}\n  sphere {}\n    .move(\n  x: i\n)\n}");
   talk.say("a = 1 +\n  2\nb = [\n  x\n  for x in 0..2\n]");
@@ -16,7 +16,7 @@ TEST_CASE("session: versions are described on one line that says the same") {
 }
 
 TEST_CASE("session: undo and redo go over every kind of change, and pictures come back") {
-  Talk talk;
+  SessionDriver talk;
   const Folder folder;
   const std::string file = folder.write("other.rtl", "light { at: [3, 5, 4] }\nsphere { radius: 1.5 }\n");
   const std::vector<std::function<void()>> changes{
@@ -75,7 +75,7 @@ TEST_CASE("session: undo and redo go over every kind of change, and pictures com
 }
 
 TEST_CASE("session: a change after an undo goes on from there, and what was undone can still be had") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("sphere {}");
   talk.say("box {}");
   talk.session.undo();
@@ -90,7 +90,7 @@ TEST_CASE("session: a change after an undo goes on from there, and what was undo
 }
 
 TEST_CASE("session: after undoing a definition, what it was before is used") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("fn f(x) = x");
   talk.say("n = f(1)");
   talk.say("fn f(x) = x + 1");

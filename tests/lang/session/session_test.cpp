@@ -8,7 +8,7 @@ using rt::lang::SessionResult;
 using namespace rt::lang::testing;
 
 TEST_CASE("session: a thing on its own line is placed, a bound one is kept for later") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere { radius: 2 }");
   CHECK(talk.count() == 0);
   talk.say("ball");
@@ -19,7 +19,7 @@ TEST_CASE("session: a thing on its own line is placed, a bound one is kept for l
 }
 
 TEST_CASE("session: an expression that is no thing shows its value and does not join the document") {
-  Talk talk;
+  SessionDriver talk;
   CHECK(talk.value("1 + 2") == "3");
   CHECK(talk.value("[1, 2, 3] * 2") == "[2, 4, 6]");
   CHECK(talk.value("[i * i for i in 0..3]") == "[0, 1, 4, 9]");
@@ -33,21 +33,21 @@ TEST_CASE("session: an expression that is no thing shows its value and does not 
 }
 
 TEST_CASE("session: a list of things is placed, one by one") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("[sphere { at: [i, 0, 0] } for i in 0..<5]");
   CHECK(talk.count() == 5);
   CHECK(talk.at(3) == rt::Vec3{3, 0, 0});
 }
 
 TEST_CASE("session: several statements in one input are several lines") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("r = 2\nsphere { radius: r }\nr * 3");
   CHECK(talk.session.text() == "r = 2\nsphere { radius: r }\n");
   CHECK(talk.session.version() == 1);
 }
 
 TEST_CASE("session: binding a name again replaces its line, and what depends on it is made anew") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("r = 1");
   talk.say("d = 2 * r");
   talk.say("sphere { radius: d }");
@@ -63,7 +63,7 @@ TEST_CASE("session: binding a name again replaces its line, and what depends on 
 }
 
 TEST_CASE("session: functions and nouns that are redefined change what calls them, also through each other") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("fn double(x) = 2 * x");
   talk.say("fn four(x) = double(double(x))");
   talk.say("def lamp(size = 1) { sphere { radius: four(size) } }");
@@ -80,7 +80,7 @@ TEST_CASE("session: functions and nouns that are redefined change what calls the
 }
 
 TEST_CASE("session: functions may call each other, and one of them may be replaced") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("fn even(n) = if n == 0 { true } else { odd(n - 1) }\nfn odd(n) = if n == 0 { false } else { even(n - 1) }");
   CHECK(talk.value("even(10)") == "true");
   talk.say("fn odd(n) = if n == 0 { true } else { even(n - 1) }");
@@ -88,7 +88,7 @@ TEST_CASE("session: functions may call each other, and one of them may be replac
 }
 
 TEST_CASE("session: a name that is bound to itself with changes means what it was") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere { radius: 2 }");
   talk.say("ball");
   talk.say("ball = ball { at: [1, 0, 0] }");
@@ -100,7 +100,7 @@ TEST_CASE("session: a name that is bound to itself with changes means what it wa
 }
 
 TEST_CASE("session: a line that uses later names moves behind them, with what depends on it") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("a = 1");
   talk.say("b = a + 1");
   talk.say("c = 10");
@@ -112,7 +112,7 @@ TEST_CASE("session: a line that uses later names moves behind them, with what de
 }
 
 TEST_CASE("session: a line that begins with a dot changes the last thing, placed or bound") {
-  Talk talk;
+  SessionDriver talk;
   talk.refuse(".move(x: 2)");
   talk.say("sphere {}");
   talk.say(".move(x: 2)");
@@ -126,7 +126,7 @@ TEST_CASE("session: a line that begins with a dot changes the last thing, placed
 }
 
 TEST_CASE("session: properties of the scene and the camera are replaced when they are written again") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("background: red");
   talk.say("background: blue");
   CHECK(talk.session.scene().background == rt::Color{0, 0, 1});
@@ -138,7 +138,7 @@ TEST_CASE("session: properties of the scene and the camera are replaced when the
 }
 
 TEST_CASE("session: errors change nothing, also those in what depends on the input") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("r = 1");
   talk.say("sphere { radius: r }");
   const SessionResult dependent = talk.refuse("r = \"wide\"");
@@ -159,7 +159,7 @@ TEST_CASE("session: errors change nothing, also those in what depends on the inp
 }
 
 TEST_CASE("session: properties of named things are set in their text") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere {}");
   talk.say("ball");
   REQUIRE(talk.session.set("ball.radius", "2").is_accepted);
@@ -184,7 +184,7 @@ TEST_CASE("session: properties of named things are set in their text") {
 }
 
 TEST_CASE("session: what others use is not removed") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere {}");
   talk.say("ball { at: [0, 1, 0] }");
   const SessionResult refused = talk.session.remove("ball");
@@ -202,7 +202,7 @@ TEST_CASE("session: what others use is not removed") {
 }
 
 TEST_CASE("session: a thing without a name is found by its noun, if it is the only one") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("sphere {}");
   REQUIRE(talk.session.set("sphere.radius", "2").is_accepted);
   CHECK(talk.radius(0) == 2);
@@ -216,7 +216,7 @@ TEST_CASE("session: a thing without a name is found by its noun, if it is the on
 }
 
 TEST_CASE("session: what does not change is neither evaluated nor in another stretch") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("for i in 0..<20000 { sphere { at: [i % 100, 0, i / 100], radius: 0.3 } }");
   for (int i = 0; i < 30; ++i) talk.say("box { at: [" + std::to_string(i) + ", 3, 0] }");
   const auto before = talk.session.ranges();
@@ -232,7 +232,7 @@ TEST_CASE("session: what does not change is neither evaluated nor in another str
 }
 
 TEST_CASE("session: things are listed with name, kind and place") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("ball = sphere {}");
   talk.say("ball { at: [1, 2, 3] }");
   talk.say("def table() { box {} }");
@@ -309,7 +309,7 @@ TEST_CASE("session: random inputs leave a document that says the same when it is
 }
 
 TEST_CASE("session: the formatted document is laid out anew, with its comments") {
-  Talk talk;
+  SessionDriver talk;
   talk.say("// a ball\nball=sphere{radius:2,at:[0,1 ,0]} // round");
   talk.say("ball");
   talk.say("for i in 0..<3{\nbox{size:i+1} // one of three\n}");
@@ -325,7 +325,7 @@ TEST_CASE("session: a long document of unlike statements is what its text says a
     text += "r" + std::to_string(i) + " = 0.1 + " + std::to_string(i) + " / 5000\nsphere { radius: r" +
             std::to_string(i) + ", at: [" + std::to_string(i % 25) + ", " + std::to_string(i / 25) + ", 0] }\n";
   const Folder folder;
-  Talk talk;
+  SessionDriver talk;
   REQUIRE(talk.session.load(folder.write("long.rtl", text)).is_accepted);
   const auto check = [&talk] {
     const rt::lang::Loaded loaded = rt::lang::load_text(talk.session.text(), "document", ".", {});
@@ -364,7 +364,7 @@ TEST_CASE("session: most of a scene of many unlike things stays in stretches tha
   for (int i = 0; i < 5000; ++i)
     text += "n" + std::to_string(i) + " = sphere { radius: 0.1 }\nn" + std::to_string(i) + "\n";
   const Folder folder;
-  Talk talk;
+  SessionDriver talk;
   REQUIRE(talk.session.load(folder.write("many.rtl", text)).is_accepted);
   const auto before = talk.session.ranges();
   const auto held = [](const std::vector<rt::lang::SceneRange>& ranges) {

@@ -41,7 +41,7 @@ struct Linted {
   }
 };
 
-Linted lint(const std::string& text, const ask::LintOptions& options = {}) {
+Linted lint(const std::string& text, const explain::LintOptions& options = {}) {
   lang::LoadOptions load_options;
   load_options.lint = true;
   Linted l{lang::load_text("size: [160, 120]\n" + text, "test.rtl", ".", load_options), {}};
@@ -49,7 +49,7 @@ Linted lint(const std::string& text, const ask::LintOptions& options = {}) {
     INFO(d.message);
     CHECK(d.severity != lang::Severity::error);
   }
-  l.warnings = ask::lint(l.loaded, options);
+  l.warnings = explain::lint(l.loaded, options);
   return l;
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("lint: a thing smaller than a pixel that no pixel shows") {
   CHECK(codes(wall + "sphere { radius: 0.1 }\n" + front) == "");
   CHECK(codes(wall + "sphere { radius: 0.01, at: [9, 0, 0] }\n" + front) == ""); // not in view
   const std::string tiny = "size: [60, 60]\nplane { z: -4 }\nsphere { radius: 0.01 }\n" + front;
-  CHECK(ask::lint(lang::load_text(tiny, "test.rtl", ".", {}), {}).empty()); // hardly a picture
+  CHECK(explain::lint(lang::load_text(tiny, "test.rtl", ".", {}), {}).empty()); // hardly a picture
   // Of many, one is seen: the line is fine.
   CHECK(codes(wall + "for x in [0, 1, 2] { sphere { radius: 0.01 + 0.1 * x, at: [x, 0, 0] } }\n" + front) == "");
   CHECK(lint(wall + "for x in 0..9 { sphere { radius: 0.001, at: [0.1 * x, 0, 0] } }\n" + front).warnings[0].message ==
@@ -248,7 +248,7 @@ TEST_CASE("lint: rays that end at max_depth and would have counted") {
       "for x in [-2, 2] { box { size: [0.1, 9, 30], at: [x, 0, 0], material: material { reflect: 0.25 } } }\n" + front;
   CHECK(codes("max_depth: 1\n" + mirrors) == "");
   CHECK(codes("max_depth: 0\n" + mirrors) == "W0304 at 3");
-  ask::LintOptions generous;
+  explain::LintOptions generous;
   generous.depth_share = 100;
   CHECK(lint("max_depth: 1\n" + scene, generous).codes() == "");
 }
@@ -256,7 +256,7 @@ TEST_CASE("lint: rays that end at max_depth and would have counted") {
 TEST_CASE("lint: what is allowed is not told, by comment or by option") {
   CHECK(codes("sphere { radius: 9 }\nsun {}\ncamera { at: [0, 0, 8] } // lint: allow camera_inside\n") == "");
   CHECK(codes("// lint: allow black_picture in this file\nsphere {}\nambient: 0\ncamera { at: [0, 0, 8] }\n") == "");
-  ask::LintOptions options;
+  explain::LintOptions options;
   options.allowed = {"black_picture"};
   CHECK(lint("sphere {}\nambient: 0\ncamera { at: [0, 0, 8] }\n", options).codes() == "");
 }
@@ -264,7 +264,7 @@ TEST_CASE("lint: what is allowed is not told, by comment or by option") {
 TEST_CASE("lint: the same for any number of threads") {
   const std::string scene =
       "for x in -3..3 { sphere { at: [x, 0, 0], radius: 0.6, material: glass } }\nmax_depth: 2\n" + front;
-  ask::LintOptions one, many;
+  explain::LintOptions one, many;
   one.threads = 1;
   many.threads = 7;
   const Linted a = lint(scene, one), b = lint(scene, many);
@@ -280,7 +280,7 @@ TEST_CASE("lint: shapes are numbered as hits number them") {
   const scene::Scene& scene = *l.loaded.scene;
   const RayQuery query(scene);
   int checked = 0;
-  CHECK(ask::for_each_leaf(scene, [&](const ask::Leaf& leaf) {
+  CHECK(explain::for_each_leaf(scene, [&](const explain::Leaf& leaf) {
     const Vec3 middle = leaf.box.center();
     const auto hit = query.nearest({middle + Vec3{0.01, 0.02, 50}, {0, 0, -1}});
     REQUIRE(hit);
@@ -299,7 +299,7 @@ TEST_CASE("lint: the examples are fine") {
     options.lint = true;
     const lang::Loaded loaded = lang::load_file(entry.path().string(), options);
     REQUIRE(loaded.scene);
-    for (const lang::Diagnostic& d : ask::lint(loaded, {})) FAIL_CHECK(lang::render(d, loaded.sources, false));
+    for (const lang::Diagnostic& d : explain::lint(loaded, {})) FAIL_CHECK(lang::render(d, loaded.sources, false));
     ++count;
   }
   CHECK(count > 30);

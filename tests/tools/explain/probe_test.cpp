@@ -29,7 +29,7 @@ const char* const two_balls = "camera { at: [0, 0, 10], look_at: [0, 0, 0] }\n"
 TEST_CASE("probe: t counts lengths of the direction, the distance is Euclidean") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);
-  const auto hits = ask::find_hits(query, {{0, 0, 5}, {0, 0, -2}}, true);
+  const auto hits = explain::find_hits(query, {{0, 0, 5}, {0, 0, -2}}, true);
   REQUIRE(hits.size() == 4);
   CHECK(hits[0].t == 2); // z = 1, four lengths away
   CHECK(hits[0].distance == 4);
@@ -42,27 +42,27 @@ TEST_CASE("probe: t counts lengths of the direction, the distance is Euclidean")
 TEST_CASE("probe: a hit names the object, its line and the pattern's colour there; a miss is an answer") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);
-  const ask::NamedRay through{{{0.5, 0.25, 9}, {0, 0, -1}}, "ray"};
-  const auto hits = ask::find_hits(query, through.ray, true);
+  const explain::NamedRay through{{{0.5, 0.25, 9}, {0, 0, -1}}, "ray"};
+  const auto hits = explain::find_hits(query, through.ray, true);
   REQUIRE(hits.size() == 4);
-  CHECK(ask::describe(scene, hits[0].path) == "`near` (test.rtl:3)");
-  CHECK(ask::describe(scene, hits[2].path) == "sphere (test.rtl:4)");
+  CHECK(explain::describe(scene, hits[0].path) == "`near` (test.rtl:3)");
+  CHECK(explain::describe(scene, hits[2].path) == "sphere (test.rtl:4)");
   // The far ball's own z there is sqrt(1 - 0.25 - 0.0625) = 0.83: the cell (0, 0, 0), even, is a.
-  const auto j = ask::probe_json(scene, through, hits);
+  const auto j = explain::probe_json(scene, through, hits);
   CHECK(j["hits"][2]["material"]["color"] == nlohmann::ordered_json({1.0, 0.0, 0.0}));
   CHECK(j["hits"][2]["objects"][0]["line"] == 4);
-  const ask::NamedRay away{{{0, 0, 9}, {0, 1, 0}}, "ray"};
-  CHECK(ask::probe_text(scene, away, ask::find_hits(query, away.ray, false), false).find("hits nothing") !=
+  const explain::NamedRay away{{{0, 0, 9}, {0, 1, 0}}, "ray"};
+  CHECK(explain::probe_text(scene, away, explain::find_hits(query, away.ray, false), false).find("hits nothing") !=
         std::string::npos);
 }
 
 TEST_CASE("probe: a pixel means its centre, a point counts from the corner, and both agree") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);
-  ask::Question pixel, point;
+  explain::Question pixel, point;
   pixel.pixel = {2, 2};
   point.at = {2.5, 2.5};
-  const Ray a = ask::resolve(pixel, scene, query.camera()).ray, b = ask::resolve(point, scene, query.camera()).ray;
+  const Ray a = explain::resolve(pixel, scene, query.camera()).ray, b = explain::resolve(point, scene, query.camera()).ray;
   CHECK(a.direction == b.direction);
   CHECK(a.direction.z == Approx(-1)); // the middle of five pixels
   CHECK(a.direction.x == Approx(0).margin(1e-15));
@@ -71,13 +71,13 @@ TEST_CASE("probe: a pixel means its centre, a point counts from the corner, and 
 TEST_CASE("probe: what is no question about the picture is a usage error") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);
-  ask::Question q;
-  CHECK_THROWS_AS(ask::resolve(q, scene, query.camera()), UsageError);
+  explain::Question q;
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
   q.pixel = {5, 0};
-  CHECK_THROWS_AS(ask::resolve(q, scene, query.camera()), UsageError);
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
   q.pixel = {4, 0};
   q.sample = 1; // there is one only, number 0
-  CHECK_THROWS_AS(ask::resolve(q, scene, query.camera()), UsageError);
-  CHECK_THROWS_AS(ask::numbers_of("1,2,x", 3, "--ray"), UsageError);
-  CHECK_THROWS_AS(ask::numbers_of("1,2", 3, "--ray"), UsageError);
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
+  CHECK_THROWS_AS(explain::numbers_of("1,2,x", 3, "--ray"), UsageError);
+  CHECK_THROWS_AS(explain::numbers_of("1,2", 3, "--ray"), UsageError);
 }

@@ -22,28 +22,28 @@ namespace {
 struct Asked {
   scene::Scene scene;
   RayQuery query;
-  ask::Answer answer;
+  explain::Answer answer;
 
-  Asked(scene::Scene described, const ask::Question& question)
+  Asked(scene::Scene described, const explain::Question& question)
       : scene(std::move(described)), query(scene, 1), answer(scene, "test.rtl", query, question) {}
 };
 
 std::unique_ptr<Asked> along(const std::string& text, const Vec3& origin, const Vec3& direction) {
   auto loaded = lang::load_text(text, "test.rtl", ".", {});
   REQUIRE(loaded.scene);
-  ask::Question question;
+  explain::Question question;
   question.ray = Ray{origin, direction};
   return std::make_unique<Asked>(std::move(*loaded.scene), question);
 }
 
 json surface_of(const Asked& asked) {
-  return ask::why_json(asked.answer, 100)["tree"]["surfaces"].at(0);
+  return explain::why_json(asked.answer, 100)["tree"]["surfaces"].at(0);
 }
 json derivation_of(const Asked& asked) {
   return surface_of(asked)["derivation"];
 }
 std::string sentence_of(const std::string& text, const Vec3& origin = {0, 0, 5}, const Vec3& direction = {0, 0, -1}) {
-  return ask::verdict(along(text, origin, direction)->answer);
+  return explain::verdict(along(text, origin, direction)->answer);
 }
 // With its lines joined.
 std::string flowing(const std::string& text) {
@@ -55,7 +55,7 @@ std::string flowing(const std::string& text) {
   return joined;
 }
 std::string text_of(const Asked& asked) {
-  return flowing(ask::why_text(asked.answer, 100));
+  return flowing(explain::why_text(asked.answer, 100));
 }
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -247,7 +247,7 @@ TEST_CASE("why: what stands in the light is named with its line and distance, an
   CHECK(surface_of(*dimmed)["lights"].at(0)["diffuse"].at(0).get<double>() == Approx(0.4));
   const auto blocked = along(floor + pane + "board = quad { size: 1, at: [0, 2, 0] }\nboard\n", {3, 3, 0}, {-1, -1, 0});
   CHECK(contains(text_of(*blocked), "`board` (line 6) blocks it at distance 2"));
-  CHECK(ask::verdict(blocked->answer) == "black because `board` (line 6) blocks sun (line 3), and ambient is 0");
+  CHECK(explain::verdict(blocked->answer) == "black because `board` (line 6) blocks sun (line 3), and ambient is 0");
 }
 
 TEST_CASE("why: refraction has Snell's angles, and total internal reflection the critical one") {
@@ -320,17 +320,17 @@ TEST_CASE("why: it ends in a plain sentence") {
 TEST_CASE("why: --depth tells deeper rays in a line, and the sum stays whole") {
   const auto asked =
       along("background: #fff\nsphere { material: material { refract: 0.9, ior: 1.5 } }", {0, 0.3, 5}, {0, 0, -1});
-  const json shallow = ask::why_json(asked->answer, 0)["tree"];
+  const json shallow = explain::why_json(asked->answer, 0)["tree"];
   CHECK_FALSE(shallow["surfaces"].at(0)["passage"]["ray"].contains("surfaces"));
   CHECK(shallow["surfaces"].at(0)["passage"]["ray"].contains("radiance"));
-  CHECK(ask::why_json(asked->answer, 0)["sum_of_terms"] == ask::why_json(asked->answer, 9)["sum_of_terms"]);
+  CHECK(explain::why_json(asked->answer, 0)["sum_of_terms"] == explain::why_json(asked->answer, 9)["sum_of_terms"]);
 }
 
 TEST_CASE("why: no line of an explanation is wider than 100 columns") {
   const auto asked = along("background: #fff\nsphere { material: material { refract: 0.9, ior: 1.5, reflect: 0.5 } "
                            "}\nplane { y: -2, material: checker { a: red, b: blue } }",
                            {0.1, 0.3, 5}, {0, 0, -1});
-  const std::string text = ask::why_text(asked->answer, 100);
+  const std::string text = explain::why_text(asked->answer, 100);
   int column = 0, widest = 0;
   for (const char c : text) {
     if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue; // the rest of a character

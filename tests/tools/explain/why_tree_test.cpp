@@ -31,8 +31,8 @@ double gap(const Color& a, const Color& b) {
 }
 
 template <class F>
-void for_each_surface(const ask::RayNode& node, F&& f) {
-  for (const ask::SurfaceNode& s : node.surfaces) {
+void for_each_surface(const explain::RayNode& node, F&& f) {
+  for (const explain::SurfaceNode& s : node.surfaces) {
     f(s);
     if (s.mirror && s.mirror->ray) for_each_surface(*s.mirror->ray, f);
     if (s.transition && s.transition->ray) for_each_surface(*s.transition->ray, f);
@@ -41,47 +41,47 @@ void for_each_surface(const ask::RayNode& node, F&& f) {
 }
 
 // What the equation makes of a ray's parts, which must be what the integrator returned.
-Color assembled(const ask::RayNode& node) {
+Color assembled(const explain::RayNode& node) {
   Color sum = black;
-  for (const ask::SurfaceNode& s : node.surfaces) {
+  for (const explain::SurfaceNode& s : node.surfaces) {
     sum += s.passed * s.shading();
     if (s.total_reflection) sum += s.passed * s.total_reflection->ray->radiance;
     if (s.mirror && s.mirror->ray) sum += s.passed * s.mirror->rho * s.mirror->ray->radiance;
     if (s.transition && s.transition->ray) sum += s.passed * s.transition->tau * s.transition->ray->radiance;
   }
-  if (node.end == ask::RayNode::End::background)
+  if (node.end == explain::RayNode::End::background)
     sum += (node.surfaces.empty() ? white : node.surfaces.back().passed * node.surfaces.back().transition->tau) *
            node.background;
   return sum;
 }
 
 void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_view file, int x, int y) {
-  ask::Question question;
+  explain::Question question;
   question.pixel = {x, y};
-  const ask::Answer answer(scene, file, query, question);
+  const explain::Answer answer(scene, file, query, question);
   INFO(file << " pixel " << x << ", " << y);
   const Color traced = query.radiance(answer.ray.ray);
   CHECK(answer.tree->radiance == traced); // to the last bit
   CHECK(gap(answer.sum.total, traced) <= 1e-12);
   CHECK(gap(assembled(*answer.tree), traced) <= 1e-12);
-  for_each_surface(*answer.tree, [&](const ask::SurfaceNode& s) {
-    for (const ask::LampNode& lamp : s.lamps) {
+  for_each_surface(*answer.tree, [&](const explain::SurfaceNode& s) {
+    for (const explain::LampNode& lamp : s.lamps) {
       Color filter = white;
-      for (const ask::InTheWay& w : lamp.in_the_way) filter *= w.transmittance;
+      for (const explain::InTheWay& w : lamp.in_the_way) filter *= w.transmittance;
       CHECK(filter == lamp.record.filter); // the surfaces that are named are those that dim it
     }
-    const ask::Derivation derivation = ask::derivation_of(answer, s);
+    const explain::Derivation derivation = explain::derivation_of(answer, s);
     CHECK(derivation.disagreement < 1e-5); // the rest is what plain formulas lose by cancellation
-    if (const auto stretches = ask::stretches_of(answer, s)) {
+    if (const auto stretches = explain::stretches_of(answer, s)) {
       const bool is_end =
-          std::any_of(stretches->inside.begin(), stretches->inside.end(), [&](const ask::Stretch& stretch) {
+          std::any_of(stretches->inside.begin(), stretches->inside.end(), [&](const explain::Stretch& stretch) {
             return std::abs(stretch.enter - s.hit.t) <= 1e-9 * (1 + s.hit.t) ||
                    std::abs(stretch.leave - s.hit.t) <= 1e-9 * (1 + s.hit.t);
           });
       CHECK(is_end);
     }
   });
-  const std::string text = ask::why_text(answer, 2);
+  const std::string text = explain::why_text(answer, 2);
   CHECK(text.find("what the tracer has") != std::string::npos);
 }
 
@@ -115,9 +115,9 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
       options.crop = PixelRect{x, y, x + 4, y + 4};
       const Rendered picture = render(*loaded.scene, options);
       for (int i = 0; i < 16; ++i) {
-        ask::Question question;
+        explain::Question question;
         question.pixel = {x + i % 4, y + i / 4};
-        const ask::Answer answer(*loaded.scene, name, query, question);
+        const explain::Answer answer(*loaded.scene, name, query, question);
         const Color whole = answer.pixel.value_or(answer.tree->radiance);
         CHECK(answer.pixel.has_value() == (samples > 1));
         const Rgb32& shown = picture.film.color[static_cast<std::size_t>(i)];
@@ -134,14 +134,14 @@ TEST_CASE("why: what is too much to tell is summed up, and the sum is still whol
   REQUIRE(loaded.scene);
   const RayQuery query(*loaded.scene, 1);
   const Ray ray = query.camera().ray(400.5, 300.5);
-  const auto whole = ask::record(query, ray), part = ask::record(query, ray, 3);
-  const ask::Sum sum = ask::take_apart(*part);
+  const auto whole = explain::record(query, ray), part = explain::record(query, ray, 3);
+  const explain::Sum sum = explain::take_apart(*part);
   CHECK(part->radiance == whole->radiance);
   CHECK(gap(sum.total, whole->radiance) <= 1e-12);
   CHECK(std::any_of(sum.terms.begin(), sum.terms.end(),
-                    [](const ask::Contribution& t) { return t.kind == ask::Contribution::Kind::untold; }));
+                    [](const explain::Contribution& t) { return t.kind == explain::Contribution::Kind::untold; }));
   std::size_t told = 0;
-  for_each_surface(*part, [&](const ask::SurfaceNode&) { ++told; });
+  for_each_surface(*part, [&](const explain::SurfaceNode&) { ++told; });
   CHECK(told == 3);
 }
 
@@ -151,11 +151,11 @@ TEST_CASE("why: every sample of a pixel can be asked about, and their mean is th
   loaded.scene->samples = 9;
   const RayQuery query(*loaded.scene, 1);
   Color sum = black;
-  ask::Question question;
+  explain::Question question;
   question.pixel = {440, 330};
   for (int i = 0; i < 9; ++i) {
     question.sample = i;
-    sum += ask::Answer(*loaded.scene, "", query, question).tree->radiance;
+    sum += explain::Answer(*loaded.scene, "", query, question).tree->radiance;
   }
-  CHECK(gap(sum * (1.0 / 9), ask::Answer(*loaded.scene, "", query, question).pixel.value()) < 1e-15);
+  CHECK(gap(sum * (1.0 / 9), explain::Answer(*loaded.scene, "", query, question).pixel.value()) < 1e-15);
 }

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 Steps& Steps::put(std::string_view key, std::string_view label, double value) {
   line_.quantities.push_back({std::string(key), std::string(label), value});
@@ -133,4 +133,4 @@ Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path
   return derivation;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

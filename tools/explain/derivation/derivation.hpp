@@ -11,7 +11,7 @@
 
 /// How a ray meets a shape, worked out on paper's terms from what the scene says of the shape: equation, coefficients,
 /// roots, tests. The hit is the tracer's; this stands beside it and says how well both agree.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// A number or a vector with its name and how it comes about.
 struct Quantity {
@@ -51,4 +51,4 @@ Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path
 /// The map from the innermost object's own space to the scene's.
 Affine map_of(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

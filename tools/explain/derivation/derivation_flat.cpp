@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 // Where the ray meets the plane n·p = k: the t, and the point there.
@@ -192,4 +192,4 @@ void derive_shape(Steps& steps, const BoxGeometry& box) {
   steps.choose({{enter, "the way in", true}, {leave, "the way out", true}});
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

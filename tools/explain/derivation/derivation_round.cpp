@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 void derive_shape(Steps& steps, const SphereGeometry& sphere) {
   const Vec3 &o = steps.ray().origin, &d = steps.ray().direction;
@@ -152,4 +152,4 @@ void derive_shape(Steps& steps, const ConeGeometry& cone) {
   steps.choose(std::move(candidates));
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

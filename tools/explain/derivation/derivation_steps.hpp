@@ -6,7 +6,7 @@
 #include <optional>
 
 /// What the derivations of the shapes share. Each shape has an overload of `derive_shape`.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// Writes down a derivation.
 class Steps {
@@ -56,4 +56,4 @@ void derive_shape(Steps& steps, const TriangleGeometry& triangle);
 void derive_shape(Steps& steps, const QuadGeometry& quad);
 void derive_shape(Steps& steps, const PolygonGeometry& polygon);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

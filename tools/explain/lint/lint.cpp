@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 lang::Span Findings::span(Line line) const {
   if (line.number == 0 || line.file >= sources_.size()) return {};
@@ -120,4 +120,4 @@ std::vector<lang::Diagnostic> lint(const lang::Loaded& loaded, const LintOptions
   return lang::without_allowed(std::move(found), loaded.sources, options.allowed);
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

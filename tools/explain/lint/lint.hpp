@@ -7,7 +7,7 @@
 #include <vector>
 
 /// What is well formed and hardly meant.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 struct LintOptions {
   double depth_share = 5;                  ///< percent of the pixels that may end at max_depth
@@ -25,4 +25,4 @@ struct LintOptions {
 /// than 300,000 shapes are placed, none is called too small or hidden.
 std::vector<lang::Diagnostic> lint(const lang::Loaded& loaded, const LintOptions& options);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

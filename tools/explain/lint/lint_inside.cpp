@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 /// Solids that a ray leaves before it enters them, by order.
@@ -161,4 +161,4 @@ void find_small_scales(LintContext& context) {
   }
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

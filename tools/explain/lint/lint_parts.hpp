@@ -12,7 +12,7 @@
 #include <vector>
 
 /// The parts of the lint that look at a scene's description and at its rays.
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 
 /// A line of the scene's text, in order of place.
 struct Line {
@@ -178,4 +178,4 @@ private:
 /// The corners of a finite box.
 std::array<Vec3, 8> corners(const Box3& box);
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

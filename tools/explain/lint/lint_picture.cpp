@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 constexpr std::uint64_t least_evidence = 3; // pixels that show a thing, before it is said of lines
@@ -193,4 +193,4 @@ void find_cut_off_rays(LintContext& context) {
       {std::nullopt, fmt::format("raise it, as in `max_depth: {}`", 2 * std::max(context.scene.max_depth, 4))});
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

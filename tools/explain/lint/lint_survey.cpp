@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 constexpr double weight_that_counts = 0.1;        // of a branch that is cut off, in its pixel
@@ -217,4 +217,4 @@ Survey survey_of(const LintContext& context, std::uint64_t rays) {
   return all;
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

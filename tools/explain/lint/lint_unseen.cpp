@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 /// An infinite opaque plane.
@@ -222,4 +222,4 @@ void find_unseen(LintContext& context) {
   if (context.view.hits > 0) Watch(context).run();
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

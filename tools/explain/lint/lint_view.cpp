@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rt::tools::ask {
+namespace rt::tools::explain {
 namespace {
 
 /// Which leaf was hit: as long as it stays the same, its names need not be looked up again.
@@ -204,4 +204,4 @@ void find_empty_view(LintContext& context) {
   d.notes.push_back({std::nullopt, fmt::format("write `look_at: {}`", middle)});
 }
 
-} // namespace rt::tools::ask
+} // namespace rt::tools::explain

@@ -18,7 +18,7 @@ namespace {
 struct Arguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<PictureArguments> picture;
-  ask::LintOptions options;
+  explain::LintOptions options;
   bool is_json = false;
   bool is_strict = false;
   bool lists_rules = false;
@@ -64,7 +64,7 @@ int run_lint(Arguments& arguments) {
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
   arguments.options.stop = &stop_flag();
-  const std::vector<lang::Diagnostic> warnings = ask::lint(loaded, arguments.options);
+  const std::vector<lang::Diagnostic> warnings = explain::lint(loaded, arguments.options);
   throw_if_stopped();
   print(arguments.is_json ? lang::render_json(warnings, loaded.sources) + '\n'
                           : as_text(warnings, loaded.sources, arguments.scene->is_quiet));

@@ -22,15 +22,15 @@ struct Arguments {
 };
 
 int run_probe(const Arguments& arguments) {
-  const ask::Question question = question_of(*arguments.question);
+  const explain::Question question = question_of(*arguments.question);
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
   const RayQuery query(*loaded.scene);
-  const ask::NamedRay ray = ask::resolve(question, *loaded.scene, query.camera());
-  const std::vector<HitReport> hits = ask::find_hits(query, ray.ray, arguments.wants_all);
-  print(arguments.is_json ? ask::probe_json(*loaded.scene, ray, hits).dump(2) + "\n"
-                          : ask::probe_text(*loaded.scene, ray, hits, arguments.wants_all));
+  const explain::NamedRay ray = explain::resolve(question, *loaded.scene, query.camera());
+  const std::vector<HitReport> hits = explain::find_hits(query, ray.ray, arguments.wants_all);
+  print(arguments.is_json ? explain::probe_json(*loaded.scene, ray, hits).dump(2) + "\n"
+                          : explain::probe_text(*loaded.scene, ray, hits, arguments.wants_all));
   return exit_fine;
 }
 

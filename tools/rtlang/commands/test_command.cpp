@@ -48,7 +48,7 @@ int run_test(const Arguments& arguments) {
   std::size_t passed = 0, failed = 0, broken = 0;
   json scenes = json::array();
   SceneArguments one = *arguments.scene;
-  one.options.observe = ask::tracing_observer();
+  one.options.observe = explain::tracing_observer();
   for (const std::string& path : arguments.paths) {
     one.path = path;
     const lang::Loaded loaded = load_in_silence(one);

@@ -24,15 +24,15 @@ struct Arguments {
 };
 
 int run_why(const Arguments& arguments) {
-  const ask::Question question = question_of(*arguments.question);
+  const explain::Question question = question_of(*arguments.question);
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   apply(*arguments.picture, *loaded.scene);
   const RayQuery query(*loaded.scene);
   const std::string file = shown_name(*arguments.scene);
-  const ask::Answer answer(*loaded.scene, file, query, question);
-  print(arguments.is_json ? ask::why_json(answer, arguments.depth).dump(2) + "\n"
-                          : ask::why_text(answer, arguments.depth));
+  const explain::Answer answer(*loaded.scene, file, query, question);
+  print(arguments.is_json ? explain::why_json(answer, arguments.depth).dump(2) + "\n"
+                          : explain::why_text(answer, arguments.depth));
   return exit_fine;
 }
 

@@ -11,9 +11,9 @@ namespace {
 using scene::kind_of;
 
 /// Which entries of a table are in use, and their places afterwards.
-class Survey {
+class TableUse {
 public:
-  explicit Survey(std::size_t size) : new_index_(size, unused) {}
+  explicit TableUse(std::size_t size) : new_index_(size, unused) {}
   bool mark(std::size_t i) { return std::exchange(new_index_[i], used) == unused; }
 
   /// Moves what is used to the front; true if anything goes.
@@ -36,9 +36,9 @@ private:
   std::vector<std::uint32_t> new_index_;
 };
 
-class Sweep {
+class Compaction {
 public:
-  explicit Sweep(scene::Scene& scene)
+  explicit Compaction(scene::Scene& scene)
       : scene_(scene), materials_(scene.materials.size()), patterns_(scene.patterns.size()),
         transforms_(scene.transforms.size()) {
     scene::ShapeKinds::for_each([&]<class S>() { shapes_.emplace_back(scene.shapes.all<S>().size()); });
@@ -105,15 +105,15 @@ private:
   }
 
   scene::Scene& scene_;
-  std::vector<Survey> shapes_; // by kind
-  Survey materials_, patterns_, transforms_;
+  std::vector<TableUse> shapes_; // by kind
+  TableUse materials_, patterns_, transforms_;
   std::vector<const std::vector<scene::Object>*> pending_;
 };
 
 } // namespace
 
-void drop_leftovers(scene::Scene& scene) {
-  Sweep(scene).run();
+void compact(scene::Scene& scene) {
+  Compaction(scene).run();
 }
 
 } // namespace rt::lang

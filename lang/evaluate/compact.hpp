@@ -6,6 +6,6 @@ namespace rt::lang {
 
 /// Takes out of the scene's tables what stands nowhere in it: shapes, materials, patterns and turns of things that were
 /// made and kept, but never placed. The order of the rest stays.
-void drop_leftovers(scene::Scene& scene);
+void compact(scene::Scene& scene);
 
 } // namespace rt::lang

@@ -202,7 +202,7 @@ void Evaluator::finish_scene() {
     fail("E0407", place, problem->message, {}, problem->advice);
     return;
   }
-  if (has_leftovers_ && expectations_.empty()) drop_leftovers(scene_); // expectations may ask about what stands nowhere
+  if (has_leftovers_ && expectations_.empty()) compact(scene_); // expectations may ask about what stands nowhere
   for (std::size_t i = 0; i < program_.sources.size(); ++i)
     scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   const auto note = [&](std::string_view code, std::string message) {

@@ -81,7 +81,7 @@ Value Evaluator::call_closure(const FunctionInfo& function, Frame* parent, NodeI
     }
   }
   if (is_poison || unsure_ > 0) return Value::poison();
-  const Call call{&function, place, calls_};
+  const CallFrame call{&function, place, calls_};
   calls_ = &call;
   Value result = Value::poison();
   enter_call(place);
@@ -130,7 +130,7 @@ Value Evaluator::call_function(const Value& callee, std::vector<Value> arguments
     (*frame.get())[function.parameters[i].slot] = std::move(arguments[i]);
   }
   if (unsure_ > 0) return Value::poison();
-  const Call call{&function, place, calls_};
+  const CallFrame call{&function, place, calls_};
   calls_ = &call;
   Value result = Value::poison();
   enter_call(place);

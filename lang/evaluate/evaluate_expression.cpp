@@ -142,7 +142,7 @@ Value Evaluator::list_value(NodeId node, const Context& context) {
 
 Value Evaluator::record_value(NodeId node, const Context& context) {
   const Ast& ast = context.ast();
-  std::vector<Record::Entry> entries;
+  std::vector<Record::RecordEntry> entries;
   for (const NodeId item : ast.children(node)) {
     if (ast.kind(item) != Kind::property) return Value::poison();
     const Named field = ast.named(item);
@@ -228,7 +228,7 @@ Value Evaluator::member_of(const Value& base, NodeId node, const Context& contex
   case ValueKind::record: {
     if (const Value* found = base.record().find(symbol)) return *found;
     std::vector<std::string_view> names;
-    for (const Record::Entry& entry : base.record().entries) names.push_back(name(entry.name));
+    for (const Record::RecordEntry& entry : base.record().entries) names.push_back(name(entry.name));
     return unknown(fmt::format("this record has no field `{}`", word), names);
   }
   case ValueKind::module: {

@@ -101,10 +101,10 @@ private:
   struct Ended {};
   /// Ends the evaluation of one item of a file: calls or things are nested too deep. The other items are not concerned.
   struct TooDeep : Ended {};
-  struct Call {
+  struct CallFrame {
     const FunctionInfo* function;
     Span place;
-    const Call* caller;
+    const CallFrame* caller;
   };
 
   // Files and functions (evaluate.cpp)
@@ -202,7 +202,7 @@ private:
   Value changed_thing(Value base, NodeId node, const Context& context);
   Value changed_record(const Record& base, NodeId node, const Context& context);
   Value as_material(const Record& record, Span place);
-  void fail_unknown_material_property(const Record::Entry& entry);
+  void fail_unknown_material_property(const Record::RecordEntry& entry);
   Ref<Thing> new_thing(const NodeType& type, Span place);
   Ref<Thing> copy_of(const Thing& thing);
   static void give_name(Thing& thing, Symbol symbol);
@@ -291,7 +291,7 @@ private:
   std::uint64_t next_look_ = 0;
   std::uint64_t objects_ = 0;
   int recursion_ = 0;
-  const Call* calls_ = nullptr;
+  const CallFrame* calls_ = nullptr;
   const char* stack_limit_;
   int unsure_ = 0; // above 0: a condition is in error, so that what is read may never run; nothing is built
 

@@ -79,8 +79,8 @@ Diagnostic* Evaluator::error(std::string_view code, Span place) {
   if (unsure_ > 0 && std::ranges::find(about_values, code) != std::end(about_values)) return nullptr;
   Diagnostic* d = report_.error(code, place);
   if (!d) return nullptr;
-  std::vector<const Call*> calls;
-  for (const Call* call = calls_; call; call = call->caller) calls.push_back(call);
+  std::vector<const CallFrame*> calls;
+  for (const CallFrame* call = calls_; call; call = call->caller) calls.push_back(call);
   for (std::size_t i = 0; i < calls.size(); ++i) {
     const bool is_in_the_middle = i >= calls_shown_at_each_end && i + calls_shown_at_each_end < calls.size();
     if (is_in_the_middle && i > calls_shown_at_each_end) continue;

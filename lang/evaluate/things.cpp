@@ -152,15 +152,15 @@ Value Evaluator::changed_thing(Value base, NodeId node, const Context& context) 
 
 Value Evaluator::changed_record(const Record& base, NodeId node, const Context& context) {
   const Ast& ast = context.ast();
-  std::vector<Record::Entry> entries = base.entries;
+  std::vector<Record::RecordEntry> entries = base.entries;
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     if (ast.kind(item) == Kind::error) return Value::poison();
     if (ast.kind(item) != Kind::property)
       return fail("E0405", ast.span(item), "a record holds fields, and nothing else");
     const Named field = ast.named(item);
-    Record::Entry entry{field.symbol, expression(field.value, context), ast.span(field.value),
-                        ast.named_span(item, program_.symbols)};
-    const auto old = std::ranges::find(entries, field.symbol, &Record::Entry::name);
+    Record::RecordEntry entry{field.symbol, expression(field.value, context), ast.span(field.value),
+                              ast.named_span(item, program_.symbols)};
+    const auto old = std::ranges::find(entries, field.symbol, &Record::RecordEntry::name);
     if (old == entries.end())
       entries.push_back(std::move(entry));
     else
@@ -169,7 +169,7 @@ Value Evaluator::changed_record(const Record& base, NodeId node, const Context& 
   return make_record(heap_, std::move(entries));
 }
 
-void Evaluator::fail_unknown_material_property(const Record::Entry& entry) {
+void Evaluator::fail_unknown_material_property(const Record::RecordEntry& entry) {
   const NodeType& type = program_.types.material();
   const std::string_view word = name(entry.name);
   std::vector<std::string_view> names;
@@ -185,7 +185,7 @@ Value Evaluator::as_material(const Record& record, Span place) {
   const NodeType& type = program_.types.material();
   Ref<Thing> thing = new_thing(type, place);
   bool is_fine = true;
-  for (const Record::Entry& entry : record.entries) {
+  for (const Record::RecordEntry& entry : record.entries) {
     const auto id = type.find(entry.name);
     if (!id) {
       fail_unknown_material_property(entry);
@@ -262,7 +262,7 @@ bool Evaluator::is_same_instance(const Thing& known, const Thing& thing) {
 void Evaluator::run_def(const Thing& thing, Content& content) {
   const FunctionInfo& def = *thing.def;
   content.is_pending = false;
-  const Call call{&def, thing.span, calls_};
+  const CallFrame call{&def, thing.span, calls_};
   calls_ = &call;
   enter_call(thing.span);
   const FrameScope frame(*this, make_frame(heap_, thing.def_frame, def.frame_size));

@@ -12,7 +12,7 @@ namespace rt::lang {
 
 namespace {
 
-using layout::Entry;
+using layout::FormatEntry;
 using layout::Group;
 using layout::Piece;
 using layout::step;
@@ -29,7 +29,7 @@ public:
   }
 
   /// How wide an entry is on one line.
-  static std::size_t width(Entry& entry) {
+  static std::size_t width(FormatEntry& entry) {
     Writer flat;
     flat.pieces(entry, 0);
     return display_width(flat.out_);
@@ -37,7 +37,7 @@ public:
 
   static std::size_t flat_width(Group& list) {
     std::size_t sum = 0;
-    for (Entry& entry : list.entries) sum += width(entry) + 2;
+    for (FormatEntry& entry : list.entries) sum += width(entry) + 2;
     return sum;
   }
 
@@ -73,13 +73,13 @@ private:
   void items(Group& group, std::size_t indent) {
     const std::size_t outer_widest = widest_;
     layout::mark_commas(group.entries);
-    for (Entry& item : group.entries) {
+    for (FormatEntry& item : group.entries) {
       if (item.sign_column > 0 && is_too_wide(item, indent)) item.sign_column = 0; // it will be broken
     }
     const std::vector<std::size_t> columns = layout::aligned_columns(group.entries);
     std::vector<std::size_t> comments(group.entries.size(), none);
     for (std::size_t i = 0; i < group.entries.size(); ++i) {
-      Entry& item = group.entries[i];
+      FormatEntry& item = group.entries[i];
       item.sign_column = columns[i];
       if (item.follows_blank_line && i > 0) out_ += '\n';
       begin_line(indent);
@@ -90,12 +90,12 @@ private:
     widest_ = outer_widest;
   }
 
-  static bool is_too_wide(Entry& item, std::size_t indent) {
+  static bool is_too_wide(FormatEntry& item, std::size_t indent) {
     return layout::has_line_break_within(item) || indent + width(item) > widest;
   }
 
   // `places`: of the trailing comments of what was just written, up to the beginning of the current line.
-  void align_comments(const std::vector<Entry>& entries, const std::vector<std::size_t>& places) {
+  void align_comments(const std::vector<FormatEntry>& entries, const std::vector<std::size_t>& places) {
     std::vector<std::size_t> widths(entries.size(), 0);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (places[i] == none) continue;
@@ -122,7 +122,7 @@ private:
 
   // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide.
   // Gives the place of its trailing comment.
-  std::size_t fitting(Entry& entry, std::size_t indent) {
+  std::size_t fitting(FormatEntry& entry, std::size_t indent) {
     const std::size_t outer_widest = std::exchange(widest_, 0);
     const std::size_t begin = out_.size(), line = line_;
     for (;;) {
@@ -140,7 +140,7 @@ private:
   }
 
   // The place before its space; `none` where there is none.
-  std::size_t trailing_comment(const Entry& entry) {
+  std::size_t trailing_comment(const FormatEntry& entry) {
     if (entry.needs_comma) out_ += ',';
     if (entry.trailing_comment.empty()) return none;
     const std::size_t place = out_.size();
@@ -149,7 +149,7 @@ private:
     return place;
   }
 
-  void pieces(Entry& entry, std::size_t indent) {
+  void pieces(FormatEntry& entry, std::size_t indent) {
     std::size_t inner = indent;
     for (std::size_t i = 0; i < entry.pieces.size(); ++i) {
       Piece& piece = entry.pieces[i];
@@ -195,7 +195,7 @@ private:
       items(group, indent + step);
       begin_line(indent);
     } else {
-      for (Entry& entry : group.entries) {
+      for (FormatEntry& entry : group.entries) {
         entry.sign_column = 0;
         out_ += &entry == &group.entries.front() ? " " : ", ";
         pieces(entry, indent);
@@ -207,7 +207,7 @@ private:
 
   // In a list a line break separates as a comma does. Gives the place of a trailing comment.
   std::size_t element(Group& group, std::size_t i, std::size_t indent) {
-    Entry& entry = group.entries[i];
+    FormatEntry& entry = group.entries[i];
     if (i > 0 && (group.bracket == '(' || !entry.begins_line)) out_ += ',';
     if (entry.begins_line) {
       if (entry.follows_blank_line && i > 0 && group.bracket == '[') {
@@ -234,7 +234,7 @@ private:
   void fill(Group& group, std::size_t indent) {
     if (std::any_of(group.entries.begin(), group.entries.end(), layout::has_line_break_within)) return; // broken by now
     std::size_t column = 0;
-    for (Entry& entry : group.entries) {
+    for (FormatEntry& entry : group.entries) {
       const std::size_t size = width(entry);
       entry.begins_line = column == 0 || column + 2 + size > widest;
       entry.follows_blank_line = false;

@@ -40,11 +40,11 @@ bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {
   return is_symbol(pieces[i], "-") && is_value_wanted(pieces, i);
 }
 
-bool has_clause(const Entry& entry) {
+bool has_clause(const FormatEntry& entry) {
   return std::any_of(entry.pieces.begin(), entry.pieces.end(), is_for);
 }
 
-bool has_broken_clauses(const Entry& entry) {
+bool has_broken_clauses(const FormatEntry& entry) {
   for (std::size_t i = 1; i < entry.pieces.size(); ++i) {
     if (entry.pieces[i].begins_line && begins_clause(entry.pieces, i)) return true;
   }
@@ -54,14 +54,14 @@ bool has_broken_clauses(const Entry& entry) {
 bool has_line_break(const Group& group) {
   if (group.is_broken || group.ends_on_new_line) return true;
   return std::any_of(group.entries.begin(), group.entries.end(),
-                     [](const Entry& entry) { return entry.begins_line || has_line_break_within(entry); });
+                     [](const FormatEntry& entry) { return entry.begins_line || has_line_break_within(entry); });
 }
 
-bool ends_in_line_comment(const Entry& entry) {
+bool ends_in_line_comment(const FormatEntry& entry) {
   return entry.is_comment || !entry.trailing_comment.empty() || entry.pieces.back().kind == TokenKind::line_comment;
 }
 
-void settle(Entry& entry) {
+void settle(FormatEntry& entry) {
   for (std::size_t i = 0; i < entry.pieces.size(); ++i) {
     if (i > 0 && entry.pieces[i - 1].kind == TokenKind::line_comment) entry.pieces[i].begins_line = true;
     if (entry.pieces[i].group) layout::settle(*entry.pieces[i].group);
@@ -75,7 +75,7 @@ bool break_block(Group& block) {
 }
 
 bool break_clauses(Group& comprehension) {
-  Entry& element = comprehension.entries.front();
+  FormatEntry& element = comprehension.entries.front();
   if (comprehension.entries.size() > 1 || element.begins_line || !has_clause(element)) return false;
   for (std::size_t i = 1; i < element.pieces.size(); ++i) {
     if (begins_clause(element.pieces, i)) element.pieces[i].begins_line = true;
@@ -87,7 +87,7 @@ bool break_clauses(Group& comprehension) {
 
 bool fill_list(Group& list, std::size_t (*flat_width)(Group&)) {
   const bool can_be_filled =
-      list.entries.size() > 1 && std::none_of(list.entries.begin(), list.entries.end(), [](const Entry& entry) {
+      list.entries.size() > 1 && std::none_of(list.entries.begin(), list.entries.end(), [](const FormatEntry& entry) {
         return entry.is_comment || !entry.trailing_comment.empty() || has_line_break_within(entry);
       });
   if (!can_be_filled || flat_width(list) < shortest_filled) return false;
@@ -114,7 +114,7 @@ bool begins_clause(const std::vector<Piece>& pieces, std::size_t i) {
          std::any_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i), is_for);
 }
 
-bool has_line_break_within(const Entry& entry) {
+bool has_line_break_within(const FormatEntry& entry) {
   return std::any_of(entry.pieces.begin(), entry.pieces.end(), [](const Piece& piece) {
     return piece.begins_line || (piece.group && has_line_break(*piece.group));
   });
@@ -123,7 +123,7 @@ bool has_line_break_within(const Entry& entry) {
 void settle(Group& group) {
   bool is_list_broken = group.ends_on_new_line || !group.opening_comment.empty();
   bool must_break = !group.opening_comment.empty();
-  for (Entry& entry : group.entries) {
+  for (FormatEntry& entry : group.entries) {
     settle(entry);
     if (group.bracket != '{') entry.sign_column = 0;
     entry.begins_line = entry.begins_line || must_break;
@@ -144,7 +144,7 @@ void settle(Group& group) {
   }
 }
 
-bool break_more(Entry& entry, std::size_t (*flat_width)(Group&)) {
+bool break_more(FormatEntry& entry, std::size_t (*flat_width)(Group&)) {
   const auto in_groups = [&](char bracket, auto&& action) {
     bool has_changed = false;
     for (Piece& piece : entry.pieces) {
@@ -156,16 +156,16 @@ bool break_more(Entry& entry, std::size_t (*flat_width)(Group&)) {
   const auto fill = [&](Group& group) { return fill_list(group, flat_width); };
   const auto break_inner = [&](Group& group) {
     bool has_changed = false;
-    for (Entry& inner : group.entries) has_changed = break_more(inner, flat_width) || has_changed;
+    for (FormatEntry& inner : group.entries) has_changed = break_more(inner, flat_width) || has_changed;
     return has_changed;
   };
   return in_groups('[', break_clauses) || in_groups('{', break_block) || in_groups('[', fill) ||
          in_groups('(', break_inner) || in_groups('[', break_inner);
 }
 
-void mark_commas(std::vector<Entry>& items) {
-  Entry* before = nullptr;
-  for (Entry& item : items) {
+void mark_commas(std::vector<FormatEntry>& items) {
+  FormatEntry* before = nullptr;
+  for (FormatEntry& item : items) {
     if (item.is_comment) continue;
     const auto first = std::find_if(item.pieces.begin(), item.pieces.end(),
                                     [](const Piece& piece) { return !is_comment(piece.kind); });
@@ -175,7 +175,7 @@ void mark_commas(std::vector<Entry>& items) {
   }
 }
 
-std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items) {
+std::vector<std::size_t> aligned_columns(const std::vector<FormatEntry>& items) {
   const auto goes_on = [&](std::size_t i) {
     return items[i].sign_column == items[i - 1].sign_column && !items[i].follows_blank_line &&
            items[i].pieces[1].text == items[i - 1].pieces[1].text;
@@ -196,7 +196,8 @@ std::vector<std::size_t> aligned_columns(const std::vector<Entry>& items) {
   return columns;
 }
 
-std::vector<std::size_t> comment_padding(const std::vector<Entry>& items, const std::vector<std::size_t>& widths) {
+std::vector<std::size_t> comment_padding(const std::vector<FormatEntry>& items,
+                                         const std::vector<std::size_t>& widths) {
   std::vector<std::size_t> padding(items.size(), 0);
   for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
     end = begin + 1;

@@ -53,7 +53,7 @@ private:
 
   // Reads up to the closing bracket and over it.
   void fill(Group& group, bool is_file) {
-    Entry entry;
+    FormatEntry entry;
     for (bool is_first = true;; is_first = false) {
       int newlines = 0;
       for (; kind() == TokenKind::newline; ++at_) ++newlines;
@@ -73,10 +73,10 @@ private:
     ++at_;
   }
 
-  static void finish(Group& group, Entry& entry) {
+  static void finish(Group& group, FormatEntry& entry) {
     const bool holds_comments_only = std::all_of(entry.pieces.begin(), entry.pieces.end(),
                                                  [](const Piece& piece) { return is_comment(piece.kind); });
-    Entry* const before = group.entries.empty() ? nullptr : &group.entries.back();
+    FormatEntry* const before = group.entries.empty() ? nullptr : &group.entries.back();
     const bool belongs_to_one_before = holds_comments_only && !entry.begins_line && before != nullptr &&
                                        before->trailing_comment.empty() && !before->is_comment && group.bracket != '(';
     if (belongs_to_one_before) {
@@ -85,11 +85,11 @@ private:
       entry.is_comment = holds_comments_only && entry.begins_line && group.bracket != '(';
       group.entries.push_back(std::move(entry));
     }
-    entry = Entry{};
+    entry = FormatEntry{};
   }
 
   // The comma of `for i, x in xs`.
-  static bool is_within_loop_names(const Entry& entry) {
+  static bool is_within_loop_names(const FormatEntry& entry) {
     const Piece* last = nullptr;
     for (auto piece = entry.pieces.rbegin(); piece != entry.pieces.rend(); ++piece) {
       if (is_comment(piece->kind)) continue;
@@ -100,7 +100,7 @@ private:
   }
 
   // Comments between an argument and its comma go behind the comma.
-  void pass_separator(Group& group, Entry& entry) {
+  void pass_separator(Group& group, FormatEntry& entry) {
     std::vector<Piece> comments;
     while (group.bracket == '(' && !entry.pieces.empty() && is_comment(entry.pieces.back().kind)) {
       comments.insert(comments.begin(), std::move(entry.pieces.back()));
@@ -112,7 +112,7 @@ private:
   }
 
   // `next` is the first token behind the newline.
-  bool newline_separates(const Group& group, const Entry& entry, std::size_t next) const {
+  bool newline_separates(const Group& group, const FormatEntry& entry, std::size_t next) const {
     if (group.bracket == '(' || entry.pieces.empty()) return false;
     const auto last = std::find_if(entry.pieces.rbegin(), entry.pieces.rend(),
                                    [](const Piece& piece) { return !is_comment(piece.kind); });
@@ -123,7 +123,7 @@ private:
   }
 
   // Whether the word goes on with the entry as a comprehension.
-  static bool begins_clause(const Entry& entry, std::string_view word) {
+  static bool begins_clause(const FormatEntry& entry, std::string_view word) {
     if (word == "for") return true;
     return word == "if" && std::any_of(entry.pieces.begin(), entry.pieces.end(), [](const Piece& piece) {
              return piece.kind == TokenKind::name && piece.text == "for";
@@ -131,7 +131,7 @@ private:
   }
 
   // A comment behind an entry, behind the opening bracket, or on lines of its own; false for one among the tokens.
-  bool take_comment(Group& group, Entry& entry, int newlines, bool is_behind_bracket) {
+  bool take_comment(Group& group, FormatEntry& entry, int newlines, bool is_behind_bracket) {
     if (group.bracket == '(' || !ends_line(at_ + 1)) return false;
     if (!entry.pieces.empty()) {
       if (newlines > 0 || !newline_separates(group, entry, at_ + 1)) return false;
@@ -139,7 +139,7 @@ private:
       finish(group, entry);
       return true;
     }
-    Entry* const before = group.entries.empty() ? nullptr : &group.entries.back();
+    FormatEntry* const before = group.entries.empty() ? nullptr : &group.entries.back();
     if (newlines == 0 && is_behind_bracket) {
       group.opening_comment = said(at_++);
     } else if (newlines == 0 && before != nullptr && before->trailing_comment.empty() && !before->is_comment) {
@@ -152,7 +152,7 @@ private:
     return true;
   }
 
-  void take_trailing_comment(Entry& entry) {
+  void take_trailing_comment(FormatEntry& entry) {
     const std::size_t begin = token(at_).begin;
     const std::size_t newline = begin == 0 ? std::string_view::npos : text_.rfind('\n', begin - 1);
     const std::size_t line = newline == std::string_view::npos ? 0 : newline + 1;
@@ -160,7 +160,7 @@ private:
     entry.trailing_comment = said(at_++);
   }
 
-  void take_piece(Entry& entry, int newlines) {
+  void take_piece(FormatEntry& entry, int newlines) {
     const bool is_first = entry.pieces.empty();
     if (is_first) {
       entry.begins_line = newlines > 0;

@@ -21,7 +21,7 @@ struct Piece {
 };
 
 /// An item of a block, an element of a list, an argument; or a comment on a line of its own.
-struct Entry {
+struct FormatEntry {
   std::vector<Piece> pieces;
   std::string_view trailing_comment; ///< behind it on its line
   bool begins_line = false;
@@ -38,7 +38,7 @@ struct Entry {
 /// A bracket pair and what it holds; the whole file is one without brackets.
 struct Group {
   char bracket = '{';
-  std::vector<Entry> entries;
+  std::vector<FormatEntry> entries;
   std::string_view opening_comment; ///< behind the opening bracket on its line
   bool is_broken = false;           ///< it has line breaks of its own, not only within inner groups
   bool ends_on_new_line = false;    ///< the closing bracket begins a line

@@ -12,7 +12,7 @@
 namespace rt::lang {
 
 const Value* Record::find(Symbol name) const {
-  for (const Entry& entry : entries) {
+  for (const RecordEntry& entry : entries) {
     if (entry.name == name) return &entry.value;
   }
   return nullptr;
@@ -65,10 +65,10 @@ Value make_list(Heap& heap, std::vector<Value> items) {
   return cell;
 }
 
-Value make_record(Heap& heap, std::vector<Record::Entry> entries) {
+Value make_record(Heap& heap, std::vector<Record::RecordEntry> entries) {
   Ref<Record> cell(heap.make<Record>(0));
   std::uint16_t deepest = 0;
-  for (const Record::Entry& entry : entries) deepest = std::max(deepest, depth_of(entry.value));
+  for (const Record::RecordEntry& entry : entries) deepest = std::max(deepest, depth_of(entry.value));
   cell->depth = above(deepest);
   cell->entries = std::move(entries);
   return cell;
@@ -134,7 +134,7 @@ bool equal_sequences(const Value& a, const Value& b) {
 
 bool equal_records(const Record& a, const Record& b) {
   if (a.entries.size() != b.entries.size()) return false;
-  return std::ranges::all_of(a.entries, [&](const Record::Entry& entry) {
+  return std::ranges::all_of(a.entries, [&](const Record::RecordEntry& entry) {
     const Value* other = b.find(entry.name);
     return other && equal(entry.value, *other);
   });

@@ -145,13 +145,13 @@ struct List : Cell {
 
 struct Record : Cell {
   static constexpr ValueKind cell_kind = ValueKind::record;
-  struct Entry {
+  struct RecordEntry {
     Symbol name;
     Value value;
     Span span;      ///< of the value, for messages
     Span name_span; ///< of the name
   };
-  std::vector<Entry> entries; ///< in the order written
+  std::vector<RecordEntry> entries; ///< in the order written
   const Value* find(Symbol name) const;
 };
 
@@ -190,7 +190,7 @@ Ref<Frame> make_frame(Heap& heap, Ref<Frame> parent, std::uint32_t size);
 Value make_string(Heap& heap, std::string text);
 /// A list in its one form: two or three numbers are a `vector`.
 Value make_list(Heap& heap, std::vector<Value> items);
-Value make_record(Heap& heap, std::vector<Record::Entry> entries);
+Value make_record(Heap& heap, std::vector<Record::RecordEntry> entries);
 
 /// How many elements a range has: floor((b − a)/step + 1e-9) + 1, one less where `..<` leaves out the end. Infinite or
 /// NaN where its numbers are; a step of 0 counts as NaN.

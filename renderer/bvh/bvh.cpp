@@ -118,11 +118,11 @@ RTCBounds Tree::to_single(const Box3& box) const {
           round_up(upper.x),   round_up(upper.y),   round_up(upper.z),   0};
 }
 
-struct Tree::Entry {
+struct Tree::TreeRay {
   float origin[3], direction[3], tfar;
 };
 
-inline bool Tree::enter(Query& query, Entry& entry) const {
+inline bool Tree::enter(Query& query, TreeRay& entry) const {
   Vec3 origin = (query.ray.origin - center_) * scale_, direction = query.ray.direction;
   query.start_ = 0;
   query.scale_ = scale_;
@@ -145,7 +145,7 @@ inline bool Tree::enter(Query& query, Entry& entry) const {
 }
 
 // Embree reads four numbers at a time, soon after: that goes faster if they were written like that.
-inline void Tree::fill(const Entry& entry, RTCRay& ray) {
+inline void Tree::fill(const TreeRay& entry, RTCRay& ray) {
   using Four = float __attribute__((vector_size(16)));
   const Four origin{entry.origin[0], entry.origin[1], entry.origin[2], 0};
   const Four direction{entry.direction[0], entry.direction[1], entry.direction[2], 0};
@@ -158,7 +158,7 @@ inline void Tree::fill(const Entry& entry, RTCRay& ray) {
 }
 
 void Tree::nearest(Query& query) const {
-  Entry entry;
+  TreeRay entry;
   if (!enter(query, entry)) return;
   RTCRayHit hit;
   fill(entry, hit.ray);
@@ -170,7 +170,7 @@ void Tree::nearest(Query& query) const {
 }
 
 bool Tree::blocks(Query& query) const {
-  Entry entry;
+  TreeRay entry;
   if (!enter(query, entry)) return false;
   RTCRay ray;
   fill(entry, ray);
@@ -184,7 +184,7 @@ bool Tree::blocks(Query& query) const {
 template <class Rays>
 void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const {
   for (std::size_t i = 0; i < packet_size; ++i) {
-    Entry entry{};
+    TreeRay entry{};
     are_valid[i] = i < queries.size() && enter(*queries[i], entry) ? -1 : 0;
     rays.org_x[i] = entry.origin[0];
     rays.org_y[i] = entry.origin[1];

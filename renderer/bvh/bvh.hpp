@@ -117,9 +117,9 @@ private:
   };
 
   void add(const Set& set, RTCIntersectFunctionN when_nearest, RTCOccludedFunctionN when_blocks);
-  struct Entry; // a ray as it enters, in single precision
-  bool enter(Query& query, Entry& entry) const;
-  static void fill(const Entry& entry, RTCRay& ray);
+  struct TreeRay; // a ray as it enters, in single precision
+  bool enter(Query& query, TreeRay& entry) const;
+  static void fill(const TreeRay& entry, RTCRay& ray);
   template <class Rays>
   void enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const;
   RTCBounds to_single(const Box3& box) const;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t least_for_tree = 4;
 
 // Objects of one list on the way through the groups that are taken apart.
-struct Frame {
+struct ListFrame {
   std::span<const scene::Object> objects;
   Affine map;        // from their parent's space to the assembly's
   BindingId binding; // that they inherit
@@ -63,7 +63,7 @@ private:
     else
       reserve(objects);
     next_part_ = is_root ? 0 : parts_.size();
-    std::vector<Frame> frames{{objects, {}, binding, true, 0}};
+    std::vector<ListFrame> frames{{objects, {}, binding, true, 0}};
     while (!frames.empty()) visit(frames);
     aggregate.leaf_count_ = aggregate.order(slot_count_);
     build();
@@ -71,8 +71,8 @@ private:
   }
 
   // One step: the next object of the innermost frame. There is no recursion, because groups may nest deep.
-  void visit(std::vector<Frame>& frames) {
-    Frame& frame = frames.back();
+  void visit(std::vector<ListFrame>& frames) {
+    ListFrame& frame = frames.back();
     if (frame.next == frame.objects.size()) return frames.pop_back();
     const auto position = static_cast<std::uint32_t>(frame.next++);
     if (next_part_ < parts_.size() && frame.source == 0 && parts_[next_part_].begin == position) {
@@ -277,7 +277,7 @@ void CompileCache::begin(const scene::Scene& scene) {
 
 std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, const Part& part) {
   const std::uint32_t size = part.end - part.begin;
-  for (Entry& entry : entries_) {
+  for (CacheEntry& entry : entries_) {
     if (entry.stamp != part.stamp) continue;
     entry.last_use = uses_;
     ++counts_.parts_reused;
@@ -293,7 +293,7 @@ std::shared_ptr<const Compiled> CompileCache::take(const scene::Scene& scene, co
 }
 
 void CompileCache::forget_unused() {
-  std::erase_if(entries_, [this](const Entry& entry) { return entry.last_use + patience < uses_; });
+  std::erase_if(entries_, [this](const CacheEntry& entry) { return entry.last_use + patience < uses_; });
 }
 
 } // namespace rt

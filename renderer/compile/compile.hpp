@@ -67,7 +67,7 @@ private:
   // Parts that so many compilations did not need are forgotten.
   static constexpr std::uint64_t patience = 8;
 
-  struct Entry {
+  struct CacheEntry {
     std::uint64_t stamp;
     std::uint64_t last_use;
     std::shared_ptr<const Compiled> compiled;
@@ -80,7 +80,7 @@ private:
   std::shared_ptr<accel::Device> device_;
   std::shared_ptr<MaterialBindings> bindings_;
   MaterialBindings::Mark mark_{}; // the styles of the parts, without those of the rest of the scene
-  std::vector<Entry> entries_;
+  std::vector<CacheEntry> entries_;
   std::uint64_t uses_ = 0;
   Counts counts_;
 };

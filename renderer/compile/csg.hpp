@@ -116,10 +116,10 @@ public:
   CsgSolid build(const scene::Combination& combination, const Affine& map);
 
 private:
-  struct Frame;
-  void visit(CsgSolid& solid, std::vector<Frame>& frames);
+  struct ListFrame;
+  void visit(CsgSolid& solid, std::vector<ListFrame>& frames);
   void add_medium(CsgSolid& solid, BindingId binding) const;
-  void add_operand(CsgSolid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source);
+  void add_operand(CsgSolid& solid, const ListFrame& frame, const scene::Object& object, std::uint32_t source);
   void add_index(CsgSolid& solid, CsgSolid::Node& node);
 
   const scene::Scene& scene_;

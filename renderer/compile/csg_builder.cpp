@@ -19,7 +19,7 @@ bool dissolves(CsgSolid::Operation outer, CsgSolid::Operation inner, bool is_fir
 } // namespace
 
 // The members of a group or the operands of a combination, on the way through them.
-struct CsgBuilder::Frame {
+struct CsgBuilder::ListFrame {
   std::span<const scene::Object> objects;
   std::uint32_t node;  // that they become children of
   bool is_subtraction; // what comes after the node's first child is taken away from it
@@ -35,15 +35,15 @@ CsgSolid CsgBuilder::build(const scene::Combination& combination, const Affine& 
   solid.sources_.push_back({0, 0});
   solid.nodes_.push_back({combination.operation, {}, nullptr});
   const bool subtracts = combination.operation == CsgSolid::Operation::subtract;
-  std::vector<Frame> frames{{combination.operands, 0, subtracts, map, inherited_binding, true, 0}};
+  std::vector<ListFrame> frames{{combination.operands, 0, subtracts, map, inherited_binding, true, 0}};
   while (!frames.empty()) visit(solid, frames);
   for (CsgSolid::Node& node : solid.nodes_) add_index(solid, node);
   return solid;
 }
 
 // One step: the next operand of the innermost frame. There is no recursion, because solids may nest deep.
-void CsgBuilder::visit(CsgSolid& solid, std::vector<Frame>& frames) {
-  Frame& frame = frames.back();
+void CsgBuilder::visit(CsgSolid& solid, std::vector<ListFrame>& frames) {
+  ListFrame& frame = frames.back();
   const auto position = static_cast<std::uint32_t>(frame.next++);
   // Where there is nothing to subtract from, nothing is left.
   const bool is_void = frame.is_subtraction && position > 0 && solid.nodes_[frame.node].children.empty();
@@ -61,7 +61,7 @@ void CsgBuilder::visit(CsgSolid& solid, std::vector<Frame>& frames) {
     add_operand(solid, frame, object, source);
     return;
   }
-  Frame inner = frame;
+  ListFrame inner = frame;
   inner.next = 0;
   inner.source = source;
   inner.map = frame.map * to_parent(scene_, object);
@@ -94,7 +94,8 @@ void CsgBuilder::add_medium(CsgSolid& solid, BindingId binding) const {
   if (media.empty() || (media.back() == inherited_binding && binding != inherited_binding)) media.push_back(binding);
 }
 
-void CsgBuilder::add_operand(CsgSolid& solid, const Frame& frame, const scene::Object& object, std::uint32_t source) {
+void CsgBuilder::add_operand(CsgSolid& solid, const ListFrame& frame, const scene::Object& object,
+                             std::uint32_t source) {
   const Affine map = frame.map * to_parent(scene_, object);
   const BindingId binding = bindings_.of(object, map, frame.binding);
   add_medium(solid, binding);

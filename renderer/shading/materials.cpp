@@ -52,7 +52,7 @@ void Materials::add(const scene::Material& m) {
 }
 
 MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
-  const Entry& entry = entries_[material];
+  const MaterialEntry& entry = entries_[material];
   MaterialValues values = entry.values;
   values.color = evaluate(entry.color, p);
   values.ambient = evaluate(entry.ambient, p);

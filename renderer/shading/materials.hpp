@@ -44,7 +44,7 @@ public:
   MaterialValues at(std::uint32_t material, const Vec3& p) const;
 
 private:
-  struct Entry {
+  struct MaterialEntry {
     MaterialValues values;
     scene::Paint color, ambient, diffuse, emission;
     bool has_patterns = false;
@@ -56,7 +56,7 @@ private:
   void add(const scene::Material& material);
   Color evaluate(const scene::Paint& paint, const Vec3& p) const;
 
-  std::vector<Entry> entries_;
+  std::vector<MaterialEntry> entries_;
   std::vector<Pattern> patterns_;
 };
 

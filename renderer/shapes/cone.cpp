@@ -52,16 +52,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Span until(double t) {
+AxisRange until(double t) {
   return {{-infinity, side_part}, {t, side_part}};
 }
-Span from(double t) {
+AxisRange from(double t) {
   return {{t, side_part}, {infinity, side_part}};
 }
 
 } // namespace
 
-Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
+AxisRange side_span(const ConeGeometry& cone, const AxialRay& ray) {
   const Vec3 m = ray.origin_arm(), n = ray.direction_arm();
   const double radius = cone.radius + cone.slope * dot(ray.origin, ray.axis);
   const double widening = cone.slope * dot(ray.direction, ray.axis);
@@ -72,8 +72,8 @@ Span side_span(const ConeGeometry& cone, const AxialRay& ray) {
   const Vec3 w = n * radius - m * widening;
   const bool is_near = 16 * std::abs(c) < radius * radius && 16 * b * b < radius * radius * dot(n, n);
   const double d = is_near || a == 0 ? b * b - a * c : dot(w, w) - aside * aside;
-  if (a > 0 && c >= 0 && !(d >= 0)) return Span::empty();
-  if (a == 0 && b == 0) return c < 0 ? Span{} : Span::empty();
+  if (a > 0 && c >= 0 && !(d >= 0)) return AxisRange::empty();
+  if (a == 0 && b == 0) return c < 0 ? AxisRange{} : AxisRange::empty();
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
   // Steeper than the side: a chord within one nappe.
   if (a > 0)

@@ -54,14 +54,14 @@ constexpr bool is_solid(const ConeGeometry& cone) {
 /// ρ + t·ρ' at the ray's height, (m + t·n)² − (ρ + t·ρ')² = a·t² + 2·b·t + c. Its discriminant b² − a·c is
 /// |ρ·n − ρ'·m|² − |m × n|², which does not cancel where the ray starts far from the surface; b² − a·c is the more
 /// precise close to it.
-Span side_span(const ConeGeometry& cone, const AxialRay& ray);
+AxisRange side_span(const ConeGeometry& cone, const AxialRay& ray);
 
 inline AxialRay axial_ray(const ConeGeometry& cone, const Ray& ray) {
   return {ray, cone.base, cone.axis, cone.height / 2, cone.height + std::max(cone.radius, cone.top_radius)};
 }
 
-inline Span inner_span(const ConeGeometry& cone, const AxialRay& ray) {
-  const Span side = side_span(cone, ray);
+inline AxisRange inner_span(const ConeGeometry& cone, const AxialRay& ray) {
+  const AxisRange side = side_span(cone, ray);
   return side.is_empty() ? side : overlap(side, ray.between(cone.height));
 }
 

@@ -51,25 +51,25 @@ constexpr bool is_solid(const CylinderGeometry& cylinder) {
 /// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius. Its discriminant comes from
 /// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, which does not cancel; but
 /// for an origin close to the surface and a direction close to touching it, b² − a·c is the more precise.
-inline Span side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
+inline AxisRange side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
   const double radius_squared = cylinder.radius * cylinder.radius;
   const Vec3 n = ray.direction_arm();
   const double a = dot(n, n), aside = dot(ray.origin, n);
   double d = radius_squared * a - aside * aside;
   const Vec3 m = ray.origin_arm();
   const double c = dot(m, m) - radius_squared;
-  if (c >= 0 && !(d >= 0 && a > 0)) return Span::empty();
+  if (c >= 0 && !(d >= 0 && a > 0)) return AxisRange::empty();
   if (a == 0) return {}; // along the axis, inside
   const double b = dot(m, n);
   if (16 * std::abs(c) < radius_squared && 16 * b * b < radius_squared * a) d = b * b - a * c;
-  if (c >= 0 && d < 0) return Span::empty();
+  if (c >= 0 && d < 0) return AxisRange::empty();
   const QuadraticRoots roots(a, b, c, std::max(d, 0.0));
   return {{std::min(roots.first, roots.second), side_part}, {std::max(roots.first, roots.second), side_part}};
 }
 
 /// The stretch within the solid that the cylinder is, or would be if it were closed.
-inline Span inner_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
-  const Span side = side_span(cylinder, ray);
+inline AxisRange inner_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
+  const AxisRange side = side_span(cylinder, ray);
   if (cylinder.extent == CylinderGeometry::Extent::infinite || side.is_empty()) return side;
   return overlap(side, ray.between(cylinder.height));
 }

@@ -10,11 +10,11 @@ namespace rt {
 inline constexpr std::uint32_t side_part = 0, base_part = 1, top_part = 2;
 
 /// The stretch of a line between two parameters, and the surfaces it begins and ends at.
-struct Span {
+struct AxisRange {
   Hit enter{-std::numeric_limits<double>::infinity(), side_part};
   Hit leave{std::numeric_limits<double>::infinity(), side_part};
 
-  static Span empty() { return {{1, side_part}, {0, side_part}}; }
+  static AxisRange empty() { return {{1, side_part}, {0, side_part}}; }
   bool is_empty() const { return !(enter.t <= leave.t); }
 };
 
@@ -41,7 +41,7 @@ struct AxialRay {
 
   /// The stretch between the planes at the heights 0 and `top`. A line within a plane counts as between: the product
   /// 0·∞ is no number, and no bound.
-  Span between(double top) const {
+  AxisRange between(double top) const {
     const double height = dot(origin, axis), inverse = 1 / dot(direction, axis);
     const bool falls = std::signbit(inverse);
     const double first = (falls ? top - height : -height) * inverse;
@@ -54,8 +54,8 @@ struct AxialRay {
 };
 
 /// The part of `side` that is also in `slab`; where both begin or end together it is at the side.
-inline Span overlap(const Span& side, const Span& slab) {
-  Span both;
+inline AxisRange overlap(const AxisRange& side, const AxisRange& slab) {
+  AxisRange both;
   both.enter.part = slab.enter.t > side.enter.t ? slab.enter.part : side.enter.part;
   both.enter.t = slab.enter.t > side.enter.t ? slab.enter.t : side.enter.t;
   both.leave.part = slab.leave.t < side.leave.t ? slab.leave.part : side.leave.part;
@@ -65,7 +65,7 @@ inline Span overlap(const Span& side, const Span& slab) {
 
 /// The nearest crossing of a solid's surface, or of its side alone where it is open: what would go through an end does
 /// not hit it.
-inline bool take_first(const AxialRay& ray, const Span& inside, bool is_open, const Interval& range, Hit& hit) {
+inline bool take_first(const AxialRay& ray, const AxisRange& inside, bool is_open, const Interval& range, Hit& hit) {
   if (inside.is_empty()) return false;
   const Hit enter = ray.restored(inside.enter), leave = ray.restored(inside.leave);
   if (!is_open) return take_first(enter, leave, range, hit);
@@ -74,7 +74,7 @@ inline bool take_first(const AxialRay& ray, const Span& inside, bool is_open, co
   return false;
 }
 
-inline Crossings crossings_of(const AxialRay& ray, const Span& inside) {
+inline Crossings crossings_of(const AxialRay& ray, const AxisRange& inside) {
   Crossings found;
   if (inside.enter.t < inside.leave.t) found.add(ray.restored(inside.enter), ray.restored(inside.leave));
   return found;

@@ -15,12 +15,12 @@ constexpr std::string_view usual_camera = "camera { at: [1.7, 1.9, 4.6], look_at
 constexpr std::string_view usual_light = "light { at: [3.1, 4.7, 3.3], intensity: 0.8 }\n";
 constexpr std::string_view usual_floor = "box { from: [-3, -1.4, -3], to: [3, -1.2, 3], material: floor }\n";
 
-struct Entry {
+struct FeatureEntry {
   const char* name;
   const char* text;
 };
 
-constexpr Entry shapes[] = {
+constexpr FeatureEntry shapes[] = {
     {"sphere", "sphere { radius: 1.1, material: tomato }"},
     {"plane_normal", "plane { normal: [0.2, 1, 0.3], offset: -0.7, material: floor }"},
     {"plane_x", "plane { x: -0.9, material: khaki }"},
@@ -71,7 +71,7 @@ constexpr Entry shapes[] = {
                   "material: floor }.scale(1.3)\npart { at: [0, 0.3, -0.8] }.shear(xy: 0.5)"},
 };
 
-constexpr Entry transforms[] = {
+constexpr FeatureEntry transforms[] = {
     {"scale_uneven", "sphere { radius: 0.8, scale: [1.4, 0.7, 1.1], rotate: [20, 30, 40], material: floor }"},
     {"scale_mirrored", "cone { radius: 0.8, scale: [-1.2, 0.9, 1], rotate: [0, 0, 60], material: floor }"},
     {"chain_scale_about", "box { rotate: [10, 20, 0], material: peru }.scale([1.4, 0.8, 1.2], about: [0.3, 0.2, 0])"},
@@ -87,7 +87,7 @@ constexpr Entry transforms[] = {
      "peru, scale: [1.2, 1, 0.8] }.shear(yx: 0.4).rotate([50, 20, 10]).move(y: 0.2)"},
 };
 
-constexpr Entry materials[] = {
+constexpr FeatureEntry materials[] = {
     {"color_only", "color: peru"},
     {"ambient_high", "color: peru, ambient: 2.2"},
     {"diffuse_low", "color: peru, diffuse: 0.35"},
@@ -114,7 +114,7 @@ constexpr Entry materials[] = {
      "color: checker { a: white, b: skyblue, scale: 0.37 }, refract: 0.85, ior: 1.25, diffuse: 0.3"},
 };
 
-constexpr Entry lights[] = {
+constexpr FeatureEntry lights[] = {
     {"light_point", "light { at: [2, 3, 2.5], color: #ffe0b0, intensity: 0.9 }"},
     {"light_sun", "sun { direction: [-1, -2, -0.7], color: #e0f0ff }"},
     {"light_spot", "spot { at: [1.5, 3.5, 2], look_at: [0, 0, 0], angle: 25, falloff: 45 }"},
@@ -133,7 +133,7 @@ constexpr Entry lights[] = {
      "color: orchid, refract: 0.9, diffuse: 0.1 } }\nsphere { radius: 0.3, at: [0.2, 1.3, 0.6], casts_shadow: false }"},
 };
 
-constexpr Entry media[] = {
+constexpr FeatureEntry media[] = {
     {"media_bubble", "sphere { radius: 1.1, material: clear { ior: 1.5 } }\nsphere { radius: 0.6, at: [0.1, 0.1, 0.2], "
                      "material: clear { ior: 1 } }"},
     {"media_marble", "sphere { radius: 1.1, material: clear { ior: 1.25 } }\nsphere { radius: 0.5, at: [0.2, 0, 0.1], "
@@ -160,7 +160,7 @@ constexpr Entry media[] = {
                    "fresnel: true } }"},
 };
 
-constexpr Entry cameras[] = {
+constexpr FeatureEntry cameras[] = {
     {"camera_orthographic",
      "camera { at: [1.7, 1.9, 4.6], look_at: [0.1, 0.2, 0], projection: orthographic, width: 4.2 }"},
     {"camera_orthographic_disc",
@@ -186,9 +186,9 @@ std::string with_all(const std::string& text) {
 
 std::vector<FeatureScene> feature_scenes() {
   std::vector<FeatureScene> all;
-  for (const Entry& e : shapes) all.push_back({std::string("shape_") + e.name, with_all(e.text)});
-  for (const Entry& e : transforms) all.push_back({std::string("transform_") + e.name, with_all(e.text)});
-  for (const Entry& e : materials) {
+  for (const FeatureEntry& e : shapes) all.push_back({std::string("shape_") + e.name, with_all(e.text)});
+  for (const FeatureEntry& e : transforms) all.push_back({std::string("transform_") + e.name, with_all(e.text)});
+  for (const FeatureEntry& e : materials) {
     const std::string material = std::string("material { ") + e.text + " }";
     all.push_back(
         {std::string("material_") + e.name,
@@ -197,10 +197,10 @@ std::vector<FeatureScene> feature_scenes() {
   }
   const std::string things = "sphere { radius: 0.7, material: material { color: peru, specular: 0.5 } }\nbox { size: "
                              "0.7, at: [1.1, -0.4, 0.3], rotate: [0, 30, 0] }\n";
-  for (const Entry& e : lights)
+  for (const FeatureEntry& e : lights)
     all.push_back({e.name, base() + std::string(usual_camera) + std::string(usual_floor) + things + e.text + "\n"});
-  for (const Entry& e : media) all.push_back({e.name, with_all(e.text)});
-  for (const Entry& e : cameras)
+  for (const FeatureEntry& e : media) all.push_back({e.name, with_all(e.text)});
+  for (const FeatureEntry& e : cameras)
     all.push_back({e.name, base() + std::string(usual_light) + std::string(usual_floor) + things + e.text + "\n"});
   return all;
 }

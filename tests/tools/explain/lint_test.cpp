@@ -280,7 +280,7 @@ TEST_CASE("lint: shapes are numbered as hits number them") {
   const scene::Scene& scene = *l.loaded.scene;
   const RayQuery query(scene);
   int checked = 0;
-  CHECK(explain::for_each_leaf(scene, [&](const explain::Leaf& leaf) {
+  CHECK(explain::for_each_leaf(scene, [&](const explain::LintLeaf& leaf) {
     const Vec3 middle = leaf.box.center();
     const auto hit = query.nearest({middle + Vec3{0.01, 0.02, 50}, {0, 0, -1}});
     REQUIRE(hit);

@@ -24,7 +24,7 @@ inline Line line_of(scene::Origin origin) {
 }
 
 /// What the picture's pixel centres meet first.
-struct View {
+struct LintView {
   std::uint64_t rays = 0, hits = 0;
   std::set<Line> lines;           ///< of the shapes, and of the composites around them
   std::set<std::uint64_t> orders; ///< of the shapes, as `HitReport::order`
@@ -47,7 +47,7 @@ struct Coincidence {
 };
 
 /// What a sample of the pixels shows with all its reflections, refractions and shadows.
-struct Survey {
+struct LintSurvey {
   std::uint64_t rays = 0;
   std::uint64_t surfaces = 0;               ///< rays that hit something
   std::uint64_t black = 0;                  ///< of these, as the picture shows it
@@ -106,8 +106,8 @@ struct LintContext {
   const scene::Scene& scene;
   const RayQuery& query;
   const LintOptions& options;
-  View view;
-  Survey survey;
+  LintView view;
+  LintSurvey survey;
   std::vector<Around> around_eye;
   Findings& findings;
   bool is_eye_shut_in = false;   ///< told: darkness follows from it
@@ -122,7 +122,7 @@ inline constexpr std::uint64_t most_leaves = 300'000;
 const scene::Object& thing_of(const std::vector<const scene::Object*>& objects);
 
 /// A shape (or a whole combination) as it stands in the scene.
-struct Leaf {
+struct LintLeaf {
   const scene::Object* object = nullptr;
   Affine to_scene;
   scene::MaterialId material = scene::no_material; ///< its own or the nearest composite's
@@ -131,11 +131,11 @@ struct Leaf {
 };
 /// Calls `look` for each in the order of declaration. False if there are more than `most_leaves`: the rest was left
 /// out.
-bool for_each_leaf(const scene::Scene& scene, const std::function<void(const Leaf&)>& look);
+bool for_each_leaf(const scene::Scene& scene, const std::function<void(const LintLeaf&)>& look);
 
-View view_of(const LintContext& context);
+LintView view_of(const LintContext& context);
 /// `rays`: about how many pixels it is to trace.
-Survey survey_of(const LintContext& context, std::uint64_t rays);
+LintSurvey survey_of(const LintContext& context, std::uint64_t rays);
 /// The solids that hold `p`, but for planes, which are walls rather than solids.
 std::vector<Around> solids_around(const LintContext& context, const Vec3& p);
 /// Whether a shape hit has an inside.

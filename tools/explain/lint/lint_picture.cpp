@@ -129,7 +129,7 @@ void find_dark_lights(LintContext& context) {
   const auto& lamps = context.query.scene().lamps();
   const auto is_dark = [](const LampTally& tally) { return !tally.is_lit; };
   if (std::ranges::none_of(context.survey.lamps, is_dark)) return;
-  const Survey closer = survey_of(context, 10 * survey_rays); // what it reaches may be small
+  const LintSurvey closer = survey_of(context, 10 * survey_rays); // what it reaches may be small
   struct Dark {
     std::size_t first = 0;
     std::uint64_t count = 0;
@@ -156,7 +156,7 @@ void find_dark_lights(LintContext& context) {
 }
 
 void find_exposure(LintContext& context) {
-  const Survey& s = context.survey;
+  const LintSurvey& s = context.survey;
   if (s.surfaces == 0 || context.is_eye_shut_in) return;
   if (s.black == s.surfaces) {
     lang::Diagnostic& d = context.findings.warn("W0302", {}, "all that is seen is black");
@@ -180,7 +180,7 @@ void find_exposure(LintContext& context) {
 }
 
 void find_cut_off_rays(LintContext& context) {
-  const Survey& s = context.survey;
+  const LintSurvey& s = context.survey;
   if (s.rays == 0 ||
       100.0 * static_cast<double>(s.cut_off) <= context.options.depth_share * static_cast<double>(s.rays))
     return;

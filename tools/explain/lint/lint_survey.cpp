@@ -18,11 +18,11 @@ constexpr double black_below = 0.5 / 255 / 12.92; // what sRGB rounds to 0
 constexpr double white_from = 1 + 1e-9;
 
 struct Listener : NoRecorder {
-  Listener(const LintContext& c, Survey& s) : context(c), survey(s) {
+  Listener(const LintContext& c, LintSurvey& s) : context(c), survey(s) {
     survey.lamps.resize(c.query.scene().lamps().size());
   }
 
-  struct Frame {
+  struct RayFrame {
     Vec3 direction;
     Color weight;
     Line line; // of the surface met last
@@ -140,14 +140,14 @@ struct Listener : NoRecorder {
   }
 
   const LintContext& context;
-  Survey& survey;
-  std::vector<Frame> frames;
+  LintSurvey& survey;
+  std::vector<RayFrame> frames;
   double footprint = 0; ///< of a pixel, at distance 1
   int looks = 0;
   bool is_cut_off = false;
 };
 
-void merge(Survey& all, const Survey& part) {
+void merge(LintSurvey& all, const LintSurvey& part) {
   all.rays += part.rays, all.surfaces += part.surfaces, all.black += part.black, all.clipped += part.clipped;
   all.cut_off += part.cut_off;
   for (const auto& [line, count] : part.cut_off_at) all.cut_off_at[line] += count;
@@ -173,7 +173,7 @@ public:
   Surveyor(const LintContext& context, std::vector<Medium> inside, bool has_one_eye)
       : context_(context), inside_(std::move(inside)), has_one_eye_(has_one_eye) {}
 
-  void trace_row(int row, int columns, int rows, Survey& survey) const {
+  void trace_row(int row, int columns, int rows, LintSurvey& survey) const {
     const auto [width, height] = context_.scene.size;
     const CompiledScene& scene = context_.query.scene();
     Listener listener(context_, survey);
@@ -203,17 +203,17 @@ private:
 } // namespace
 
 // Each row has a result of its own, and they are put together in order: nothing depends on which thread traced which.
-Survey survey_of(const LintContext& context, std::uint64_t rays) {
+LintSurvey survey_of(const LintContext& context, std::uint64_t rays) {
   const auto [width, height] = context.scene.size;
   const double step = std::max(1.0, std::sqrt(static_cast<double>(width) * height / static_cast<double>(rays)));
   const int columns = std::max(1, static_cast<int>(width / step)), rows = std::max(1, static_cast<int>(height / step));
   const CameraRays& camera = context.query.camera();
   const Surveyor surveyor(context, context.query.scene().around(camera.ray(0, 0).origin), camera.has_one_eye());
-  std::vector<Survey> parts(static_cast<std::size_t>(rows));
+  std::vector<LintSurvey> parts(static_cast<std::size_t>(rows));
   for_each_row(context.options, rows,
                [&](int row, int) { surveyor.trace_row(row, columns, rows, parts[static_cast<std::size_t>(row)]); });
-  Survey all;
-  for (const Survey& part : parts) merge(all, part);
+  LintSurvey all;
+  for (const LintSurvey& part : parts) merge(all, part);
   return all;
 }
 

@@ -22,7 +22,7 @@ struct Wall {
 
 /// All that one line places.
 struct Unseen {
-  std::vector<Leaf> leaves;
+  std::vector<LintLeaf> leaves;
   std::uint64_t count = 0;
   double largest = 0; ///< in pixels
   bool is_in_view = false, is_all_small = true;
@@ -43,7 +43,7 @@ public:
 
   void run() {
     // Else a line may place more than was looked at.
-    if (!for_each_leaf(context_.scene, [this](const Leaf& leaf) { look(leaf); })) return;
+    if (!for_each_leaf(context_.scene, [this](const LintLeaf& leaf) { look(leaf); })) return;
     std::uint64_t tries = 0;
     for (const auto& [line, unseen] : lines_) {
       if (is_stopped(context_.options)) return;
@@ -60,7 +60,7 @@ public:
 private:
   static constexpr std::uint64_t most_tries = 2'000;
 
-  void look(const Leaf& leaf) {
+  void look(const LintLeaf& leaf) {
     const scene::Object& object = *leaf.object;
     if (object.shape.kind == scene::kind_of<scene::Plane> && is_opaque(context_.scene, leaf.material)) {
       if (const auto plane = placed(geometry(context_.scene.shapes.get<scene::Plane>(object.shape)), leaf.to_scene))
@@ -94,7 +94,7 @@ private:
     for (const Wall& wall : walls_) {
       const double eye = wall.side(context_.scene.camera.at);
       if (eye == 0) continue;
-      const bool is_behind = std::ranges::all_of(unseen.leaves, [&](const Leaf& leaf) {
+      const bool is_behind = std::ranges::all_of(unseen.leaves, [&](const LintLeaf& leaf) {
         const bool is_within =
             std::ranges::all_of(corners(leaf.box), [&](const Vec3& p) { return wall.side(p) * eye <= 0; });
         return is_within && wall.side(leaf.box.center()) * eye < 0; // what lies flat in the plane is not behind it
@@ -121,7 +121,7 @@ private:
 
   void tell_enclosed(Line line, const Unseen& unseen) {
     std::optional<Around> first;
-    for (const Leaf& leaf : unseen.leaves) {
+    for (const LintLeaf& leaf : unseen.leaves) {
       const auto hull = enclosing(leaf);
       if (!hull) return;
       if (!first) first = hull;
@@ -148,7 +148,7 @@ private:
   }
 
   /// The opaque solid that every line through the leaf enters before it and leaves after it.
-  std::optional<Around> enclosing(const Leaf& leaf) const {
+  std::optional<Around> enclosing(const LintLeaf& leaf) const {
     std::map<std::uint64_t, Around> candidates;
     int hits = 0;
     const double reach = length(leaf.box.extent());
@@ -170,7 +170,7 @@ private:
 
   /// The opaque solids that hold the whole stretch of the line that is in the leaf; nothing where the line misses it.
   /// The eye is in none of them.
-  std::optional<std::map<std::uint64_t, Around>> intervals_around(const Leaf& leaf, const Ray& ray) const {
+  std::optional<std::map<std::uint64_t, Around>> intervals_around(const LintLeaf& leaf, const Ray& ray) const {
     // A solid around the leaf may be much larger: look from far enough back to see where it is entered.
     const Ray line = from_outside(ray);
     const std::vector<HitReport> hits = context_.query.all_hits(line);

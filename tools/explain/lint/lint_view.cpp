@@ -43,7 +43,7 @@ public:
     }
   }
 
-  View view;
+  LintView view;
 
 private:
   void note(const Ray& ray, const RayHit& hit) {
@@ -63,7 +63,7 @@ private:
 };
 
 bool walk(const scene::Scene& scene, const std::vector<scene::Object>& objects, const Affine& outer,
-          scene::MaterialId inherited, std::uint64_t& order, const std::function<void(const Leaf&)>& look) {
+          scene::MaterialId inherited, std::uint64_t& order, const std::function<void(const LintLeaf&)>& look) {
   for (const scene::Object& object : objects) {
     if (!object.is_visible) continue;
     const scene::MaterialId material = object.material == scene::no_material ? inherited : object.material;
@@ -74,7 +74,7 @@ bool walk(const scene::Scene& scene, const std::vector<scene::Object>& objects, 
       continue;
     }
     if (order == most_leaves) return false;
-    Leaf leaf{&object, to_scene, material, order++, {}};
+    LintLeaf leaf{&object, to_scene, material, order++, {}};
     scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
       if constexpr (std::is_same_v<S, scene::Combination>)
         leaf.box = transform_box(outer, scene::bounds(scene, object));
@@ -102,19 +102,19 @@ std::string rounded(const Vec3& p) {
 
 } // namespace
 
-bool for_each_leaf(const scene::Scene& scene, const std::function<void(const Leaf&)>& look) {
+bool for_each_leaf(const scene::Scene& scene, const std::function<void(const LintLeaf&)>& look) {
   std::uint64_t order = 0;
   return walk(scene, scene.objects, {}, scene::no_material, order, look);
 }
 
-View view_of(const LintContext& context) {
+LintView view_of(const LintContext& context) {
   const auto [width, height] = context.scene.size;
   const double pixels = static_cast<double>(width) * height;
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most_pixels)))));
   std::vector<RowWatcher> watchers(static_cast<std::size_t>(workers_of(context.options)), RowWatcher(context));
   for_each_row(context.options, (height + step - 1) / step,
                [&](int row, int worker) { watchers[static_cast<std::size_t>(worker)].watch(row * step, step); });
-  View all;
+  LintView all;
   for (const RowWatcher& watcher : watchers) {
     all.rays += watcher.view.rays;
     all.hits += watcher.view.hits;

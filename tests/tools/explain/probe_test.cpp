@@ -62,7 +62,8 @@ TEST_CASE("probe: a pixel means its centre, a point counts from the corner, and 
   explain::Question pixel, point;
   pixel.pixel = {2, 2};
   point.at = {2.5, 2.5};
-  const Ray a = explain::resolve(pixel, scene, query.camera()).ray, b = explain::resolve(point, scene, query.camera()).ray;
+  const Ray a = explain::resolve(pixel, scene, query.camera()).ray,
+            b = explain::resolve(point, scene, query.camera()).ray;
   CHECK(a.direction == b.direction);
   CHECK(a.direction.z == Approx(-1)); // the middle of five pixels
   CHECK(a.direction.x == Approx(0).margin(1e-15));

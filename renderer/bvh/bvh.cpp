@@ -1,239 +1,56 @@
 #include "renderer/bvh/bvh.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <limits>
-#include <new>
-#include <stdexcept>
-#include <string>
+#include "renderer/bvh/bvh_embree.hpp"
+#include "renderer/bvh/bvh_portable.hpp"
 
-namespace rt::accel {
-namespace {
+#include <utility>
 
-constexpr float single_infinity = std::numeric_limits<float>::infinity();
+namespace rt::bvh {
 
-// In the scaled space all of the scene lies within ±1. A ray starts within ±4, to which it is advanced if need be, and
-// goes no farther than 5√3 there. To single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its
-// direction turns by ε. Embree's traversal (the fast one, whatever the scene's flags, for user geometries) gets each
-// slab's t right to 5ε of t, and compares those of two axes: a slip of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε
-// leaves room for t's own rounding.
-constexpr double reach = 4, padding = 0x1p-17;
+const Builder default_builder = Builder::RTLANG_BVH;
 
-void check(RTCDevice device) {
-  const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-  if (error != RTC_ERROR_NONE) throw std::runtime_error("Embree failed with error " + std::to_string(error));
-}
+Device::Device(int threads, Builder builder)
+    : embree_(builder == Builder::embree ? std::make_unique<EmbreeDevice>(threads) : nullptr) {}
+Device::~Device() = default;
 
-float round_down(double value) {
-  const auto single = static_cast<float>(value);
-  return std::nextafter(single, -single_infinity);
-}
+Tree::Tree() = default;
+Tree::~Tree() = default;
+Tree::Tree(Tree&&) noexcept = default;
+Tree& Tree::operator=(Tree&&) noexcept = default;
 
-float round_up(double value) {
-  const auto single = static_cast<float>(value);
-  return std::nextafter(single, single_infinity);
-}
-
-// RTLANG_EMBREE adds Embree's own settings: with `isa=avx2` tests and measurements see what other processors do.
-std::string settings(int threads) {
-  std::string all = "set_affinity=0,threads=" + std::to_string(std::max(threads, 0));
-  if (const char* const more = std::getenv("RTLANG_EMBREE")) all.append(",").append(more);
-  return all;
-}
-
-// Whether the ray meets the box within its interval; if so, `start` is where it enters or already is inside.
-bool meets(const Query& query, const Box3& box, double& start) {
-  double from = query.interval.lower, to = query.interval.upper;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double o = query.ray.origin[axis], d = query.ray.direction[axis];
-    if (d == 0) {
-      if (o < box.lower[axis] || o > box.upper[axis]) return false;
-      continue;
-    }
-    const double inverse = 1 / d, a = (box.lower[axis] - o) * inverse, b = (box.upper[axis] - o) * inverse;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  }
-  start = from;
-  return from <= to;
-}
-
-} // namespace
-
-Device::Device(int threads) : device_(rtcNewDevice(settings(threads).c_str())) {
-  if (!device_)
-    throw std::runtime_error("Embree cannot be started: error " + std::to_string(rtcGetDeviceError(nullptr)));
-  has_packets_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
-}
-
-Tree::Tree(const Device& device, const Box3& bounds)
-    : scene_(rtcNewScene(device.device_.get())), device_(&device), center_(bounds.center()) {
-  check(device.device_.get());
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
-
-  const double extent = max_component(bounds.extent()) * 0.5;
-  scale_ = extent > 0 ? std::exp2(-std::ceil(std::log2(extent))) : 1;
-  // A ray is advanced to these bounds: a little wider than the leaves', so that its rounding misses none of them.
-  const double margin = padding / scale_ + 0x1p-50 * max_component(abs(center_));
-  bounds_ = {bounds.lower - Vec3{margin, margin, margin}, bounds.upper + Vec3{margin, margin, margin}};
-}
-
-void Tree::add(const Set& set, RTCIntersectFunctionN when_nearest, RTCOccludedFunctionN when_blocks) {
-  RTCGeometry geometry = rtcNewGeometry(device_->device_.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, set.size);
-  rtcSetGeometryBoundsFunction(geometry, &on_bounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, when_nearest);
-  rtcSetGeometryOccludedFunction(geometry, when_blocks);
-  rtcAttachGeometry(scene_.get(), geometry);
-  rtcReleaseGeometry(geometry); // the scene keeps it
-  sets_.push_back(set);
-  sets_.back().geometry = geometry;
+Tree::Tree(const Device& device, const Box3& bounds) {
+  if (device.embree_)
+    embree_ = std::make_unique<EmbreeTree>(*device.embree_, bounds);
+  else
+    portable_ = std::make_unique<PortableTree>(bounds);
 }
 
 void Tree::build() {
-  for (Set& set : sets_) {
-    set.tree = this;
-    rtcSetGeometryUserData(set.geometry, &set); // for on_bounds
-    rtcCommitGeometry(set.geometry);
-  }
-  rtcCommitScene(scene_.get());
-  check(device_->device_.get());
-  for (const Set& set : sets_) rtcSetGeometryUserData(set.geometry, const_cast<void*>(set.leaves)); // for the callbacks
-  sets_ = {};
-}
-
-void Tree::on_bounds(const RTCBoundsFunctionArguments* args) {
-  const Set& set = *static_cast<const Set*>(args->geometryUserPtr);
-  *args->bounds_o = set.tree->to_single(set.bounds(set.leaves, args->primID));
-}
-
-RTCBounds Tree::to_single(const Box3& box) const {
-  const Vec3 pad{padding, padding, padding};
-  const Vec3 lower = (box.lower - center_) * scale_ - pad, upper = (box.upper - center_) * scale_ + pad;
-  return {round_down(lower.x), round_down(lower.y), round_down(lower.z), 0,
-          round_up(upper.x),   round_up(upper.y),   round_up(upper.z),   0};
-}
-
-struct Tree::TreeRay {
-  float origin[3], direction[3], tfar;
-};
-
-inline bool Tree::enter(Query& query, TreeRay& entry) const {
-  Vec3 origin = (query.ray.origin - center_) * scale_, direction = query.ray.direction;
-  query.start_ = 0;
-  query.scale_ = scale_;
-  if (query.interval.lower < 0 || !(max_component(abs(origin)) <= reach)) {
-    if (!meets(query, bounds_, query.start_)) return false;
-    origin = (query.ray.at(query.start_) - center_) * scale_;
-  }
-  // How long it is does not matter as long as it is about a unit vector, as most are.
-  if (!(query.inverse_square > 0.25 && query.inverse_square < 4)) {
-    const double speed = std::sqrt(dot(direction, direction));
-    direction = direction * (1 / speed);
-    query.scale_ = speed * scale_;
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    entry.origin[axis] = static_cast<float>(origin[axis]);
-    entry.direction[axis] = static_cast<float>(direction[axis]);
-  }
-  entry.tfar = single_t(query);
-  return true;
-}
-
-// Embree reads four numbers at a time, soon after: that goes faster if they were written like that.
-inline void Tree::fill(const TreeRay& entry, RTCRay& ray) {
-  using Four = float __attribute__((vector_size(16)));
-  const Four origin{entry.origin[0], entry.origin[1], entry.origin[2], 0};
-  const Four direction{entry.direction[0], entry.direction[1], entry.direction[2], 0};
-  std::memcpy(&ray.org_x, &origin, sizeof origin);    // and tnear
-  std::memcpy(&ray.dir_x, &direction, sizeof origin); // and time
-  ray.tfar = entry.tfar;
-  ray.mask = ~0u;
-  ray.id = 0;
-  ray.flags = 0;
+  if (embree_)
+    embree_->build(std::exchange(sets_, {}));
+  else
+    portable_->build(std::exchange(sets_, {}));
 }
 
 void Tree::nearest(Query& query) const {
-  TreeRay entry;
-  if (!enter(query, entry)) return;
-  RTCRayHit hit;
-  fill(entry, hit.ray);
-  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Query* const queries = &query;
-  Context context(&queries);
-  rtcIntersect1(scene_.get(), &context.embree, &hit);
+  if (embree_) return embree_->nearest(query);
+  portable_->nearest(query);
 }
 
 bool Tree::blocks(Query& query) const {
-  TreeRay entry;
-  if (!enter(query, entry)) return false;
-  RTCRay ray;
-  fill(entry, ray);
-  Query* const queries = &query;
-  Context context(&queries);
-  rtcOccluded1(scene_.get(), &context.embree, &ray);
-  return ray.tfar < 0;
+  return embree_ ? embree_->blocks(query) : portable_->blocks(query);
 }
 
-// Fills in the rays of a packet; those without a query, or whose query misses the bounds, are not valid.
-template <class Rays>
-void Tree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const {
-  for (std::size_t i = 0; i < packet_size; ++i) {
-    TreeRay entry{};
-    are_valid[i] = i < queries.size() && enter(*queries[i], entry) ? -1 : 0;
-    rays.org_x[i] = entry.origin[0];
-    rays.org_y[i] = entry.origin[1];
-    rays.org_z[i] = entry.origin[2];
-    rays.tnear[i] = 0;
-    rays.dir_x[i] = entry.direction[0];
-    rays.dir_y[i] = entry.direction[1];
-    rays.dir_z[i] = entry.direction[2];
-    rays.tfar[i] = entry.tfar;
-    rays.time[i] = 0;
-    rays.mask[i] = ~0u;
-    rays.id[i] = static_cast<unsigned>(i);
-    rays.flags[i] = 0;
-  }
-}
-
-// Where the processor has no instructions for sixteen rays, Embree's way around shows leaves to rays that are not
-// there.
 void Tree::nearest(std::span<Query* const> queries) const {
-  if (!device_->has_packets_) {
-    for (Query* const query : queries) nearest(*query);
-    return;
-  }
-  alignas(64) int are_valid[packet_size];
-  RTCRayHit16 hits;
-  enter_all(queries, hits.ray, are_valid);
-  for (std::size_t i = 0; i < packet_size; ++i) {
-    hits.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    hits.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-  }
-  Context context(queries.data());
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(are_valid, scene_.get(), &context.embree, &hits);
+  if (embree_) return embree_->nearest(queries);
+  for (Query* const query : queries) portable_->nearest(*query);
 }
 
 std::array<bool, packet_size> Tree::blocks(std::span<Query* const> queries) const {
+  if (embree_) return embree_->blocks(queries);
   std::array<bool, packet_size> answers{};
-  if (!device_->has_packets_) {
-    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = blocks(*queries[i]);
-    return answers;
-  }
-  alignas(64) int are_valid[packet_size];
-  RTCRay16 rays;
-  enter_all(queries, rays, are_valid);
-  Context context(queries.data());
-  // Not as a coherent packet, in which Embree shows a leaf to a query more than once. It is no slower.
-  rtcOccluded16(are_valid, scene_.get(), &context.embree, &rays);
-  for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = are_valid[i] != 0 && rays.tfar[i] < 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = portable_->blocks(*queries[i]);
   return answers;
 }
 
-} // namespace rt::accel
+} // namespace rt::bvh

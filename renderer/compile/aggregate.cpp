@@ -39,14 +39,14 @@ bool Aggregate::blocks(ShadowQuery& query) const {
   return !tree_.is_empty() && tree_.blocks(query);
 }
 
-void Aggregate::nearest(std::span<accel::Query* const> queries) const {
+void Aggregate::nearest(std::span<bvh::Query* const> queries) const {
   for (const Unbounded& leaf : unbounded_leaves_)
-    for (accel::Query* query : queries) leaf.kind->nearest(leaf.leaves, leaf.index, static_cast<NearestQuery&>(*query));
+    for (bvh::Query* query : queries) leaf.kind->nearest(leaf.leaves, leaf.index, static_cast<NearestQuery&>(*query));
   if (!tree_.is_empty()) tree_.nearest(queries);
 }
 
-std::array<bool, accel::packet_size> Aggregate::blocks(std::span<accel::Query* const> queries) const {
-  std::array<bool, accel::packet_size> answers{};
+std::array<bool, bvh::packet_size> Aggregate::blocks(std::span<bvh::Query* const> queries) const {
+  std::array<bool, bvh::packet_size> answers{};
   if (!tree_.is_empty()) answers = tree_.blocks(queries);
   for (const Unbounded& leaf : unbounded_leaves_)
     for (std::size_t i = 0; i < queries.size(); ++i)

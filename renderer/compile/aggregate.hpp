@@ -55,10 +55,10 @@ public:
   /// Shows the query to what it may hit.
   void nearest(NearestQuery& query) const;
   bool blocks(ShadowQuery& query) const;
-  /// The same for up to `accel::packet_size` queries with rays that run close together. They all point to queries of
+  /// The same for up to `bvh::packet_size` queries with rays that run close together. They all point to queries of
   /// these types.
-  void nearest(std::span<accel::Query* const> queries) const;
-  std::array<bool, accel::packet_size> blocks(std::span<accel::Query* const> queries) const;
+  void nearest(std::span<bvh::Query* const> queries) const;
+  std::array<bool, bvh::packet_size> blocks(std::span<bvh::Query* const> queries) const;
 
   /// The box around its leaves: empty maybe; infinite where they are.
   const Box3& box() const { return box_; }
@@ -104,7 +104,7 @@ private:
   };
 
   LeafSets bounded_, unbounded_;
-  accel::Tree tree_;                        // over the first
+  bvh::Tree tree_;                          // over the first
   std::vector<Unbounded> unbounded_leaves_; // the second
   Box3 box_;
   std::uint64_t leaf_count_ = 0;

@@ -218,7 +218,7 @@ private:
     if (count == 0) return;
     const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;
     if (count < least_for_tree && !has_large) return add_loose(a.bounded_);
-    a.tree_ = accel::Tree(*compiled_.device_, box);
+    a.tree_ = bvh::Tree(*compiled_.device_, box);
     std::as_const(a.bounded_).for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
     a.tree_.build();
   }
@@ -250,8 +250,8 @@ private:
   std::size_t next_part_ = 0;
 };
 
-Compiled::Compiled(const scene::Scene& scene, int threads)
-    : device_(std::make_shared<accel::Device>(threads)), bindings_(std::make_shared<MaterialBindings>(scene)) {
+Compiled::Compiled(const scene::Scene& scene, int threads, bvh::Builder builder)
+    : device_(std::make_shared<bvh::Device>(threads, builder)), bindings_(std::make_shared<MaterialBindings>(scene)) {
   Compiler(*this, scene, scene.objects, {}).run();
 }
 

@@ -24,7 +24,7 @@ class CompileCache;
 class Compiled {
 public:
   /// `threads` to build with. The scene need not outlive what is compiled. Throws std::bad_alloc or std::runtime_error.
-  Compiled(const scene::Scene& scene, int threads);
+  Compiled(const scene::Scene& scene, int threads, bvh::Builder builder);
   /// The same pictures, but with a tree of its own for each part, which is only built where the cache does not have it.
   /// `parts` are in the order of the list and do not overlap.
   Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
@@ -36,10 +36,10 @@ private:
   friend class Compiler;
   friend class CompileCache;
 
-  Compiled(std::shared_ptr<accel::Device> device, std::shared_ptr<MaterialBindings> bindings)
+  Compiled(std::shared_ptr<bvh::Device> device, std::shared_ptr<MaterialBindings> bindings)
       : device_(std::move(device)), bindings_(std::move(bindings)) {}
 
-  std::shared_ptr<accel::Device> device_; // those of a part are the whole's
+  std::shared_ptr<bvh::Device> device_; // those of a part are the whole's
   std::shared_ptr<MaterialBindings> bindings_;
   std::vector<std::shared_ptr<const Compiled>> parts_;
   std::vector<std::unique_ptr<CsgSolid>> solids_;
@@ -52,7 +52,7 @@ private:
 class CompileCache {
 public:
   /// `threads` to build with, 0: one for each core.
-  explicit CompileCache(int threads) : device_(std::make_shared<accel::Device>(threads)) {}
+  explicit CompileCache(int threads) : device_(std::make_shared<bvh::Device>(threads)) {}
 
   struct Counts {
     std::uint64_t parts_built = 0, parts_reused = 0;
@@ -77,7 +77,7 @@ private:
   std::shared_ptr<const Compiled> take(const scene::Scene& scene, const Part& part);
   void forget_unused();
 
-  std::shared_ptr<accel::Device> device_;
+  std::shared_ptr<bvh::Device> device_;
   std::shared_ptr<MaterialBindings> bindings_;
   MaterialBindings::Mark mark_{}; // the styles of the parts, without those of the rest of the scene
   std::vector<CacheEntry> entries_;

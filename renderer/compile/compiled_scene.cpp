@@ -82,7 +82,8 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 } // namespace
 
-CompiledScene::CompiledScene(const scene::Scene& scene, int threads) : CompiledScene(scene, Compiled(scene, threads)) {}
+CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder)
+    : CompiledScene(scene, Compiled(scene, threads, builder)) {}
 
 CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
     : CompiledScene(scene, Compiled(scene, parts, cache)) {}
@@ -110,8 +111,8 @@ Color CompiledScene::transmittance(const Ray& ray, const Interval& range, TraceS
 
 void CompiledScene::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
                             TraceScratch& scratch) const {
-  StaticVector<NearestQuery, accel::packet_size> queries;
-  std::array<accel::Query*, accel::packet_size> packet;
+  StaticVector<NearestQuery, bvh::packet_size> queries;
+  std::array<bvh::Query*, bvh::packet_size> packet;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {};
     packet[i] = &queries.add([&] { return NearestQuery(rays[i], range, compiled_.root(), 0, hits[i], scratch); });
@@ -120,8 +121,8 @@ void CompiledScene::nearest(std::span<const Ray> rays, const Interval& range, st
 }
 
 void CompiledScene::transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const {
-  StaticVector<ShadowQuery, accel::packet_size> queries;
-  std::array<accel::Query*, accel::packet_size> packet;
+  StaticVector<ShadowQuery, bvh::packet_size> queries;
+  std::array<bvh::Query*, bvh::packet_size> packet;
   const BindingId binding = compiled_.bindings().default_binding();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     scratch[i].attenuations.clear();

@@ -37,7 +37,7 @@ class CompiledScene {
 public:
   /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
   /// std::runtime_error when the acceleration structure cannot be built.
-  CompiledScene(const scene::Scene& scene, int threads);
+  CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder = bvh::default_builder);
   /// The same with parts of the scene's list that may be in the cache from an earlier compilation.
   CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
@@ -48,7 +48,7 @@ public:
   /// surfaces let by.
   Color transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
 
-  /// The same for up to `accel::packet_size` rays that run close together: sooner, with the same results, one in `hits`
+  /// The same for up to `bvh::packet_size` rays that run close together: sooner, with the same results, one in `hits`
   /// for each ray.
   void nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits, TraceScratch& scratch) const;
   /// Each ray uses the scratch of its place.

@@ -11,7 +11,7 @@
 namespace rt {
 
 /// Collects the boxes in the way of a whole line.
-struct LineQuery : accel::Query {
+struct LineQuery : bvh::Query {
   LineQuery(const Ray& r, std::vector<std::uint32_t>& f)
       : Query(r, {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}), found(f) {}
   std::vector<std::uint32_t>& found;
@@ -79,7 +79,7 @@ private:
   struct Index {
     ChildBoxes boxes;
     std::vector<std::uint32_t> others; // those without a finite box
-    accel::Tree tree;
+    bvh::Tree tree;
   };
   struct Node {
     Operation operation = Operation::unite;
@@ -109,7 +109,7 @@ private:
 class CsgBuilder {
 public:
   /// All must outlive the builder.
-  CsgBuilder(const scene::Scene& scene, const accel::Device& device, MaterialBindings& bindings)
+  CsgBuilder(const scene::Scene& scene, const bvh::Device& device, MaterialBindings& bindings)
       : scene_(scene), device_(device), bindings_(bindings) {}
 
   /// `map` leads from the combination's space to the one that the solid is to stand in.
@@ -123,7 +123,7 @@ private:
   void add_index(CsgSolid& solid, CsgSolid::Node& node);
 
   const scene::Scene& scene_;
-  const accel::Device& device_;
+  const bvh::Device& device_;
   MaterialBindings& bindings_;
 };
 

@@ -139,7 +139,7 @@ void CsgBuilder::add_index(CsgSolid& solid, CsgSolid::Node& node) {
     index->boxes.children.push_back(child);
   }
   if (index->boxes.size() < least_for_index) return;
-  index->tree = accel::Tree(device_, all);
+  index->tree = bvh::Tree(device_, all);
   index->tree.add<LineQuery, LineQuery>(index->boxes);
   index->tree.build();
   node.index = std::move(index);

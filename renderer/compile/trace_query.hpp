@@ -54,7 +54,7 @@ struct TraceScratch {
 };
 
 /// Looks for the nearest hit.
-struct NearestQuery : accel::Query {
+struct NearestQuery : bvh::Query {
   NearestQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, RayHit& h, TraceScratch& s)
       : Query(r, i), aggregate(a), base(b), best(h), scratch(s) {}
 
@@ -74,7 +74,7 @@ struct InheritedBinding {
 };
 
 /// Looks for what is in the way of light: opaque leaves end it, transparent ones leave a filter.
-struct ShadowQuery : accel::Query {
+struct ShadowQuery : bvh::Query {
   ShadowQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, const MaterialBindings& all,
               const InheritedBinding& from_outside, TraceScratch& s)
       : Query(r, i), aggregate(a), base(b), bindings(all), inherited(from_outside), scratch(s) {}

@@ -61,7 +61,7 @@ public:
     return path[0].sum;
   }
 
-  /// The same for rays that run close together, `accel::packet_size` at most: sooner, with the same results. Recorders
+  /// The same for rays that run close together, `bvh::packet_size` at most: sooner, with the same results. Recorders
   /// hear of it as of one ray after the other.
   void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) {
     if constexpr (is_recorded) {
@@ -89,7 +89,7 @@ private:
   using List = MediumStacks::List;
 
   static constexpr bool is_recorded = !std::is_same_v<Recorder, NoRecorder>;
-  static constexpr std::size_t group_size = accel::packet_size;
+  static constexpr std::size_t group_size = bvh::packet_size;
   // Fewer rays go one by one, and so do those that are deeper: a group's levels take room on the stack.
   static constexpr std::size_t least_group = 4;
   static constexpr int deepest_group = 8;

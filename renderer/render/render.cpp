@@ -26,7 +26,7 @@ double seconds_since(Clock::time_point start) {
 
 constexpr int tile_side = 16;
 constexpr int block_side = 4;
-static_assert(block_side * block_side <= accel::packet_size);
+static_assert(block_side * block_side <= bvh::packet_size);
 constexpr std::chrono::milliseconds progress_interval{100};
 
 Film make_film(const PixelRect& rect, bool layers) {
@@ -127,10 +127,10 @@ private:
     // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
     bool trace_block(const PixelRect& block) {
       const int n = job_.side_;
-      std::array<Color, accel::packet_size> sums{}, values;
+      std::array<Color, bvh::packet_size> sums{}, values;
       for (int sample = 0; sample < n * n; ++sample) {
         const CameraRays::Place place(sample, n);
-        StaticVector<Ray, accel::packet_size> rays;
+        StaticVector<Ray, bvh::packet_size> rays;
         for_each_pixel(block,
                        [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
         trace_rays(rays, values);

@@ -128,7 +128,7 @@ struct Door {
 };
 const std::vector<Door> doors{
     {"tao/", {"lang/syntax/parse.cpp", "tests/lang/syntax"}},
-    {"embree3/", {"renderer/bvh", "renderer/compile", "renderer/integrators", "renderer/render", "tools", "tests"}},
+    {"embree3/", {"renderer/bvh/bvh.cpp", "renderer/bvh/bvh_embree.cpp", "tools/bench/bars"}},
     {"tbb/", {"renderer/bvh"}},
     {"Imf", {"renderer/image/exr.cpp"}},
     {"png.h", {"renderer/image/png.cpp", "tools/oracle/golden.cpp", "tools/bench/peers", "tests/renderer/image"}},

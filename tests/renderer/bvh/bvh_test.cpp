@@ -10,7 +10,7 @@ using namespace rt;
 namespace {
 
 // Notes which boxes it is shown.
-struct Watcher : accel::Query {
+struct Watcher : bvh::Query {
   using Query::Query;
   std::vector<std::uint32_t> shown;
 };
@@ -45,16 +45,16 @@ struct Boxes {
 };
 
 struct World {
-  explicit World(Boxes b) : boxes(std::move(b)) {
+  explicit World(Boxes b, bvh::Builder builder) : device(1, builder), boxes(std::move(b)) {
     Box3 all;
     for (const Box3& box : boxes.boxes) all.extend(box);
-    tree = accel::Tree(device, all);
+    tree = bvh::Tree(device, all);
     tree.add<Watcher, Watcher>(boxes);
     tree.build();
   }
-  accel::Device device{1};
+  bvh::Device device;
   Boxes boxes;
-  accel::Tree tree;
+  bvh::Tree tree;
 };
 
 class Random {
@@ -69,6 +69,7 @@ private:
 } // namespace
 
 TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes from") {
+  const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
   Random random;
   for (const auto& [place, spread, size] : {std::tuple{0.0, 1.0, 1e-2},
                                             {0.0, 1.0, 0.0},
@@ -81,7 +82,7 @@ TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes fro
       const Vec3 p = Vec3{place, -place, 2 * place} + random.vector(spread), half = abs(random.vector(size));
       boxes.boxes.push_back({p - half, p + half});
     }
-    const World world(boxes);
+    const World world(boxes, builder);
     int hits = 0;
     for (int k = 0; k < 3000; ++k) {
       // At the middle of a box, and slightly off: from near, from far and from within.
@@ -108,9 +109,10 @@ TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes fro
 }
 
 TEST_CASE("tree: what is beyond the interval is not looked for, what is at its end is") {
+  const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
   Boxes boxes;
   for (int i = 0; i < 20; ++i) boxes.boxes.push_back({{i * 10.0, -1, -1}, {i * 10.0 + 1, 1, 1}});
-  const World world(boxes);
+  const World world(boxes, builder);
   const Ray ray{{-5, 0, 0}, {1, 0, 0}};
   Watcher query(ray, {0, 25}); // as far as the third box's face
   world.tree.blocks(query);
@@ -125,9 +127,10 @@ TEST_CASE("tree: what is beyond the interval is not looked for, what is at its e
 }
 
 TEST_CASE("tree: boxes at the same place are all shown to one who looks for ties") {
+  const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
   Boxes boxes;
   for (int i = 0; i < 50; ++i) boxes.boxes.push_back({{-1, -1, 0}, {1, 1, 0}});
-  const World world(boxes);
+  const World world(boxes, builder);
   Watcher query({{0.1, 0.2, -3}, {0, 0, 1}}, {});
   world.tree.nearest(query);
   CHECK(query.interval.upper == 3);
@@ -137,7 +140,8 @@ TEST_CASE("tree: boxes at the same place are all shown to one who looks for ties
 }
 
 TEST_CASE("tree: a single point is a tree as well") {
-  const World world(Boxes{{{{5, 5, 5}, {5, 5, 5}}}});
+  const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
+  const World world(Boxes{{{{5, 5, 5}, {5, 5, 5}}}}, builder);
   Watcher query({{5, 5, 0}, {0, 0, 2}}, {});
   world.tree.nearest(query);
   CHECK(query.interval.upper == 2.5);

@@ -9,12 +9,12 @@ namespace {
 
 using namespace rt;
 
-struct NearestLeaf : accel::Query {
+struct NearestLeaf : bvh::Query {
   using Query::Query;
   std::uint32_t leaf = 0xffffffff;
 };
 
-struct AnyLeaf : accel::Query {
+struct AnyLeaf : bvh::Query {
   using Query::Query;
   bool ends_it = true;
   std::vector<std::uint32_t> met;
@@ -33,7 +33,7 @@ struct Squares {
     const Vec3 reach{all[i].half, 0, all[i].half};
     return {all[i].center - reach, all[i].center + reach};
   }
-  bool meets(std::uint32_t i, const accel::Query& query, double& t) const {
+  bool meets(std::uint32_t i, const bvh::Query& query, double& t) const {
     const Square& s = all[i];
     t = (s.center.y - query.ray.origin.y) / query.ray.direction.y;
     const Vec3 off = abs(query.ray.at(t) - s.center);
@@ -56,6 +56,7 @@ struct Squares {
 } // namespace
 
 TEST_CASE("tree: queries in a packet find what each finds alone") {
+  const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> place(-1, 1);
   const auto point = [&] {
@@ -68,14 +69,14 @@ TEST_CASE("tree: queries in a packet find what each finds alone") {
     squares.all.push_back({point(), 0.06});
     box.extend(squares.bounds(i));
   }
-  const accel::Device device(1);
-  accel::Tree tree(device, box);
+  const bvh::Device device(1, builder);
+  bvh::Tree tree(device, box);
   tree.add<NearestLeaf, AnyLeaf>(squares);
   tree.build();
 
   int hits = 0, blocked = 0;
   for (std::size_t round = 0; round < 400; ++round) {
-    const std::size_t count = 1 + round % accel::packet_size; // packets of every size
+    const std::size_t count = 1 + round % bvh::packet_size; // packets of every size
     // From outside, some of them passing by, and from inside.
     const Vec3 eye = round % 3 == 0 ? point() : Vec3{0, 4, 1};
     std::vector<NearestLeaf> nearest;
@@ -86,7 +87,7 @@ TEST_CASE("tree: queries in a packet find what each finds alone") {
       any.emplace_back(ray, Interval{0, 4});
       any.back().ends_it = round % 2 == 0;
     }
-    std::vector<accel::Query*> nearest_packet, any_packet;
+    std::vector<bvh::Query*> nearest_packet, any_packet;
     for (std::size_t i = 0; i < count; ++i) {
       nearest_packet.push_back(&nearest[i]);
       any_packet.push_back(&any[i]);

@@ -346,8 +346,8 @@ TEST_CASE("whitted: what a ray sees does not depend on those it travels with") {
   Whitted<> alone(compiled, none), together(compiled, none);
   for (const double spread : {0.0, 0.01, 0.3}) // from the same ray to rays that part
     for (int place = 0; place < 60; ++place) {
-      std::array<Ray, accel::packet_size> rays;
-      std::array<Color, accel::packet_size> seen;
+      std::array<Ray, bvh::packet_size> rays;
+      std::array<Color, bvh::packet_size> seen;
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const double x = -3 + 0.1 * place + spread * static_cast<double>(i % 4),
                      y = -0.4 + spread * static_cast<double>(i / 4);

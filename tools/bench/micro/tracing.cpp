@@ -48,10 +48,10 @@ void primary(benchmark::State& state, std::string_view name) {
 void primary_packets(benchmark::State& state, std::string_view name) {
   const Prepared p(name);
   TraceScratch scratch;
-  std::array<RayHit, accel::packet_size> hits;
+  std::array<RayHit, bvh::packet_size> hits;
   for (auto _ : state)
-    for (std::size_t i = 0; i + accel::packet_size <= p.camera.size(); i += accel::packet_size) {
-      p.compiled.nearest(std::span(p.camera).subspan(i, accel::packet_size), {0, unlimited}, hits, scratch);
+    for (std::size_t i = 0; i + bvh::packet_size <= p.camera.size(); i += bvh::packet_size) {
+      p.compiled.nearest(std::span(p.camera).subspan(i, bvh::packet_size), {0, unlimited}, hits, scratch);
       benchmark::DoNotOptimize(hits.data());
     }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(p.camera.size()));

@@ -33,8 +33,8 @@ public:
 
   void watch(int y, int step) {
     const int width = context_.scene.size[0];
-    std::array<Ray, accel::packet_size> rays;
-    std::array<RayHit, accel::packet_size> hits;
+    std::array<Ray, bvh::packet_size> rays;
+    std::array<RayHit, bvh::packet_size> hits;
     for (int x = 0; x < width;) {
       std::size_t n = 0;
       for (; n < rays.size() && x < width; x += step) rays[n++] = context_.query.camera().ray(x + 0.5, y + 0.5);

@@ -91,8 +91,8 @@ CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> pa
 CompiledScene::CompiledScene(const scene::Scene& scene, Compiled compiled)
     : compiled_(std::move(compiled)), background_(scene.background), ambient_(scene.ambient),
       max_depth_(scene.max_depth) {
-  lamps_.reserve(scene.lights.size());
-  for (const scene::Light& light : scene.lights) lamps_.push_back(make_lamp(light));
+  lights_.reserve(scene.lights.size());
+  for (const scene::Light& light : scene.lights) lights_.push_back(make_light(light));
 }
 
 RayHit CompiledScene::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {

@@ -13,7 +13,7 @@ struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
 };
 
-/// A ray to a lamp, in a packet.
+/// A ray to a light, in a packet.
 struct ShadowRay {
   Ray ray;
   Interval range;
@@ -78,7 +78,7 @@ public:
   /// a combination, to the operand whose surface it is.
   std::vector<std::uint32_t> path(const RayHit& hit) const;
 
-  const std::vector<Lamp>& lamps() const { return lamps_; }
+  const std::vector<Light>& lights() const { return lights_; }
   Color background() const { return background_; }
   Color ambient() const { return ambient_; }
   int max_depth() const { return max_depth_; }
@@ -87,7 +87,7 @@ private:
   CompiledScene(const scene::Scene& scene, Compiled compiled);
 
   Compiled compiled_;
-  std::vector<Lamp> lamps_;
+  std::vector<Light> lights_;
   Color background_, ambient_;
   int max_depth_;
 };

@@ -9,10 +9,10 @@ namespace rt {
 
 enum class RayKind : std::uint8_t { camera, reflected, refracted, total_reflection };
 
-/// What one lamp gives to one point, term by term.
+/// What one light gives to one point, term by term.
 struct LightRecord {
-  std::uint32_t lamp = 0;   ///< index in the scene's lights
-  Incidence incidence;      ///< before shadows
+  std::uint32_t light = 0;  ///< index in the scene's lights
+  LightSample sample;       ///< before shadows
   double cos_light = 0;     ///< n·l
   double cos_highlight = 0; ///< n·h, or r·l for Phong's form
   Color filter = white;     ///< what surfaces on the way leave of the light
@@ -23,7 +23,7 @@ struct LightRecord {
 /// Listens to the integrator. This one does nothing and costs nothing; a recorder replaces what it wants to hear.
 ///
 /// Each ray is `begin_ray`, what happens to it, `end_ray`. What happens is `miss`; or `too_deep`; or `surface`, then
-/// `own_light`, `light` for each lamp in turn, and the branches. A branch is its event (`reflection`, `refraction`,
+/// `own_light`, `light` for each light in turn, and the branches. A branch is its event (`reflection`, `refraction`,
 /// `total_reflection`) followed by the whole of the branch's ray. Where refraction bends nothing no new ray begins: the
 /// same one goes on, to its next `surface`, `miss` or `too_deep`, weighted by what the surface lets by.
 struct NoRecorder {
@@ -35,7 +35,7 @@ struct NoRecorder {
   /// `normal` is the shading normal, turned to the viewer.
   void surface(const RayHit&, const Surface&, const MaterialValues&, const Vec3& /*normal*/) {}
   void own_light(const Color& /*ambient*/, const Color& /*emission*/) {}
-  /// What blocks the lamp, if something does, is found along `Whitted::shadow_ray`.
+  /// What blocks the light, if something does, is found along `Whitted::shadow_ray`.
   void light(const LightRecord&, const Surface&) {}
   /// ρ, and what is in it of Fresnel's reflectance (1 where it is not asked for) at this cosine and ratio of indices.
   void reflection(const Color& /*rho*/, double /*reflectance*/, double /*cosine*/, double /*eta*/) {}

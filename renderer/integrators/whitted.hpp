@@ -25,8 +25,8 @@ struct OwnTolerances {
   static constexpr bool moves_origins = true;
   static constexpr double nearest = 0;          ///< least distance of a camera, mirrored or refracted ray's hit
   static constexpr double farthest = unlimited; ///< and the greatest
-  /// The part of a shadow ray, from the surface to the lamp, in which something blocks it. It ends a rounding before
-  /// the lamp, so that a lamp lying in a surface shines.
+  /// The part of a shadow ray, from the surface to the light, in which something blocks it. It ends a rounding before
+  /// the light, so that a light lying in a surface shines.
   static double shadow_begin() { return 0; }
   static double shadow_end(double distance) { return std::min(distance * (1 - 0x1p-40), unlimited); }
 };
@@ -43,8 +43,8 @@ struct PovrayTolerances {
 /// Whitted's recursive ray tracing (An Improved Illumination Model for Shaded Display, 1980), in the form that the
 /// language's reference gives under "Shading". One object traces for one thread.
 ///
-/// Rays that run close together are traced in groups: all find what they hit, then all look for the lamps, then all are
-/// mirrored, and so on, as long as they stay together. What one of them sees does not depend on its company.
+/// Rays that run close together are traced in groups: all find what they hit, then all look for the lights, then all
+/// are mirrored, and so on, as long as they stay together. What one of them sees does not depend on its company.
 template <class Tolerances = OwnTolerances, class Recorder = NoRecorder>
 class Whitted {
 public:
@@ -76,13 +76,11 @@ public:
 
   const RayCounts& counts() const { return counts_; }
 
-  /// The ray that looks for what blocks a lamp, and the part of it in which something does: what a recorder needs to
+  /// The ray that looks for what blocks a light, and the part of it in which something does: what a recorder needs to
   /// ask the scene which object it is (`CompiledScene::all_hits`).
-  static Ray shadow_ray(const Surface& surface, const Incidence& incidence) {
-    return leaving(surface, incidence.to_light);
-  }
-  static Interval shadow_range(const Incidence& incidence) {
-    return {Tolerances::shadow_begin(), Tolerances::shadow_end(incidence.distance)};
+  static Ray shadow_ray(const Surface& surface, const LightSample& sample) { return leaving(surface, sample.to_light); }
+  static Interval shadow_range(const LightSample& sample) {
+    return {Tolerances::shadow_begin(), Tolerances::shadow_end(sample.distance)};
   }
 
 private:
@@ -120,12 +118,12 @@ private:
     Color light{};     // that leaves the surface towards the viewer by itself
   };
 
-  // How a lamp's light comes to a surface.
+  // How a light reaches a surface.
   struct Arrival {
-    Incidence incidence;
+    LightSample sample;
     double cos_light = 0;
     Color filter = white;
-    bool is_facing() const { return cos_light > 0 && incidence.color != black; }
+    bool is_facing() const { return cos_light > 0 && sample.color != black; }
   };
 
   // Where the ray goes from there.
@@ -228,7 +226,7 @@ private:
     return most - least < least * 0.05;
   }
 
-  // The surfaces' own light, and what the lamps give.
+  // The surfaces' own light, and what the lights give.
   template <std::size_t Size>
   void shade(StaticVector<Meeting, Size>& meetings, bool is_together) {
     for (Meeting& m : meetings) {
@@ -238,21 +236,22 @@ private:
       recorder_.own_light(ambient, emission);
       m.light = ambient + emission;
     }
-    for (std::uint32_t index = 0; index < scene_.lamps().size(); ++index) {
-      const Lamp& lamp = scene_.lamps()[index];
+    for (std::uint32_t index = 0; index < scene_.lights().size(); ++index) {
+      const Light& light = scene_.lights()[index];
       StaticVector<Arrival, Size> arrivals;
-      for (const Meeting& m : meetings) approach(lamp, m, arrivals);
-      if (lamp.shadows) cast_shadows(meetings, arrivals, is_together);
-      for (std::size_t i = 0; i < meetings.size(); ++i) meetings[i].light += light(meetings[i], arrivals[i], index);
+      for (const Meeting& m : meetings) approach(light, m, arrivals);
+      if (light.shadows) cast_shadows(meetings, arrivals, is_together);
+      for (std::size_t i = 0; i < meetings.size(); ++i)
+        meetings[i].light += reflected_light(meetings[i], arrivals[i], index);
     }
     for (const Meeting& m : meetings) m.path->sum += m.path->passed * m.light;
   }
 
   // Before shadows.
   template <std::size_t Size>
-  static void approach(const Lamp& lamp, const Meeting& m, StaticVector<Arrival, Size>& arrivals) {
-    Arrival& arrival = arrivals.add([&] { return Arrival{incidence(lamp, m.surface.point)}; });
-    arrival.cos_light = dot(m.normal, arrival.incidence.to_light);
+  static void approach(const Light& light, const Meeting& m, StaticVector<Arrival, Size>& arrivals) {
+    Arrival& arrival = arrivals.add([&] { return Arrival{sample_light(light, m.surface.point)}; });
+    arrival.cos_light = dot(m.normal, arrival.sample.to_light);
   }
 
   template <std::size_t Size>
@@ -263,7 +262,7 @@ private:
       Arrival& a = arrivals[i];
       if (a.is_facing())
         rays.add([&] {
-          return ShadowRay{shadow_ray(meetings[i].surface, a.incidence), shadow_range(a.incidence), &a.filter};
+          return ShadowRay{shadow_ray(meetings[i].surface, a.sample), shadow_range(a.sample), &a.filter};
         });
     }
     counts_.shadow += rays.size();
@@ -278,23 +277,23 @@ private:
     return scene_.transmittance_by_steps(ray, range.upper, range.lower);
   }
 
-  Color light(const Meeting& m, const Arrival& arrival, std::uint32_t index) {
-    const Lamp& lamp = scene_.lamps()[index];
+  Color reflected_light(const Meeting& m, const Arrival& arrival, std::uint32_t index) {
+    const Light& light = scene_.lights()[index];
     const MaterialValues& v = *m.values;
     LightRecord record;
-    record.lamp = index;
-    record.incidence = arrival.incidence;
+    record.light = index;
+    record.sample = arrival.sample;
     record.cos_light = arrival.cos_light;
     record.filter = arrival.filter;
     if (!arrival.is_facing() || arrival.filter == black) {
       recorder_.light(record, m.surface);
       return black;
     }
-    const Vec3& l = record.incidence.to_light;
+    const Vec3& l = record.sample.to_light;
     const Vec3& direction = m.path->ray.direction;
-    const Color arriving = record.incidence.color * record.filter;
+    const Color arriving = record.sample.color * record.filter;
     record.diffuse = arriving * m.body * v.diffuse * record.cos_light;
-    if (lamp.shadows && v.specular > 0) {
+    if (light.shadows && v.specular > 0) {
       record.cos_highlight = v.highlight == scene::Highlight::blinn ? dot(m.normal, normalize(l - direction))
                                                                     : dot(reflect(direction, m.normal), l);
       if (record.cos_highlight > 0) {

@@ -30,7 +30,7 @@ public:
   /// Whose limits decide what is too near to be hit.
   enum class Tolerances {
     own,   ///< none: rays start beyond the rounding of the surface they leave
-    povray ///< hits from 1e-4 to 1e7, shadows from 1e-3 of the surface to 1e-3 of the lamp, in lengths of the scene
+    povray ///< hits from 1e-4 to 1e7, shadows from 1e-3 of the surface to 1e-3 of the light, in lengths of the scene
   };
 
   /// `threads` to build with, 0: one for each core. The description need not outlive the tracer. Throws std::bad_alloc

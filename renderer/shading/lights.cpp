@@ -6,24 +6,24 @@
 namespace rt {
 namespace {
 
-void place(Lamp& lamp, const scene::PointLight& light, const Affine& to_world) {
-  lamp.kind = Lamp::Kind::point;
-  lamp.at = to_world.point(light.at);
-  lamp.fade = light.fade;
+void place(Light& light, const scene::PointLight& source, const Affine& to_world) {
+  light.kind = Light::Kind::point;
+  light.at = to_world.point(source.at);
+  light.fade = source.fade;
 }
 
-void place(Lamp& lamp, const scene::SunLight& light, const Affine& to_world) {
-  lamp.kind = Lamp::Kind::sun;
-  lamp.direction = normalize(to_world.vector(light.direction));
+void place(Light& light, const scene::SunLight& source, const Affine& to_world) {
+  light.kind = Light::Kind::sun;
+  light.direction = normalize(to_world.vector(source.direction));
 }
 
-void place(Lamp& lamp, const scene::SpotLight& light, const Affine& to_world) {
-  lamp.kind = Lamp::Kind::spot;
-  lamp.at = to_world.point(light.at);
-  lamp.direction = normalize(to_world.point(light.look_at) - lamp.at);
-  lamp.cos_full = cos_degrees(light.angle / 2);
-  lamp.cos_none = cos_degrees(light.falloff.value_or(light.angle) / 2);
-  lamp.fade = light.fade;
+void place(Light& light, const scene::SpotLight& source, const Affine& to_world) {
+  light.kind = Light::Kind::spot;
+  light.at = to_world.point(source.at);
+  light.direction = normalize(to_world.point(source.look_at) - light.at);
+  light.cos_full = cos_degrees(source.angle / 2);
+  light.cos_none = cos_degrees(source.falloff.value_or(source.angle) / 2);
+  light.fade = source.fade;
 }
 
 } // namespace
@@ -43,23 +43,23 @@ double fade_at(const scene::Fade& fade, double distance) {
   return 1;
 }
 
-double spot_at(const Lamp& lamp, double cosine) {
-  if (cosine >= lamp.cos_full) return 1;
-  if (cosine <= lamp.cos_none) return 0;
-  const double q = (cosine - lamp.cos_none) / (lamp.cos_full - lamp.cos_none);
+double spot_at(const Light& light, double cosine) {
+  if (cosine >= light.cos_full) return 1;
+  if (cosine <= light.cos_none) return 0;
+  const double q = (cosine - light.cos_none) / (light.cos_full - light.cos_none);
   return (3 - 2 * q) * q * q;
 }
 
-Lamp make_lamp(const scene::Light& light) {
-  Lamp lamp;
+Light make_light(const scene::Light& described) {
+  Light light;
   std::visit(
       [&](const auto& source) {
-        lamp.color = source.color * source.intensity;
-        lamp.shadows = source.shadows;
-        place(lamp, source, to_world(light));
+        light.color = source.color * source.intensity;
+        light.shadows = source.shadows;
+        place(light, source, to_world(described));
       },
-      light.source);
-  return lamp;
+      described.source);
+  return light;
 }
 
 } // namespace rt

@@ -33,9 +33,9 @@ private:
     const Color weight = ray_weight * s.passed;
     add(Contribution::Kind::ambient, weight * s.ambient, &s);
     add(Contribution::Kind::emission, weight * s.emission, &s);
-    for (const LampNode& lamp : s.lamps) {
-      add(Contribution::Kind::diffuse, weight * lamp.record.diffuse, &s, lamp.record.lamp);
-      add(Contribution::Kind::highlight, weight * lamp.record.highlight, &s, lamp.record.lamp);
+    for (const LightNode& light : s.lights) {
+      add(Contribution::Kind::diffuse, weight * light.record.diffuse, &s, light.record.light);
+      add(Contribution::Kind::highlight, weight * light.record.highlight, &s, light.record.light);
     }
     using enum WayStep::How;
     if (s.mirror) branch(s, s.mirror->ray.get(), weight * s.mirror->rho, mirrored);
@@ -56,9 +56,9 @@ private:
     last_ = static_cast<std::uint32_t>(sum_.steps.size() - 1);
   }
 
-  void add(Contribution::Kind kind, const Color& value, const SurfaceNode* surface = nullptr, std::uint32_t lamp = 0) {
+  void add(Contribution::Kind kind, const Color& value, const SurfaceNode* surface = nullptr, std::uint32_t light = 0) {
     if (value == black) return;
-    sum_.terms.push_back({kind, value, surface, lamp, last_});
+    sum_.terms.push_back({kind, value, surface, light, last_});
     sum_.total += value;
   }
 

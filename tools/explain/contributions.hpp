@@ -22,7 +22,7 @@ struct Contribution {
   Kind kind;
   Color value;
   const SurfaceNode* surface = nullptr; ///< none for the background and what was not told in detail
-  std::uint32_t lamp = 0;               ///< of diffuse light and highlights
+  std::uint32_t light = 0;              ///< of diffuse light and highlights
   std::uint32_t last_step = no_step;    ///< of the way from the first surface to this one, in `Sum::steps`
 };
 

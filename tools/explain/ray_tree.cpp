@@ -63,7 +63,7 @@ public:
 
   void light(const LightRecord& record, const Surface& surface) {
     if (!is_told()) return;
-    last().lamps.push_back({record, record.filter == white ? std::vector<InTheWay>{} : in_the_way(record, surface)});
+    last().lights.push_back({record, record.filter == white ? std::vector<InTheWay>{} : in_the_way(record, surface)});
   }
 
   void reflection(const Color& rho, double reflectance, double cosine, double eta) {
@@ -75,7 +75,7 @@ public:
     SurfaceNode& s = last();
     s.transition = PassageNode{tau, transition, cosine, cosine_behind, nullptr};
     // Needed only if the ray goes on unbent: it leaves the surface as a shadow ray in its direction would.
-    Incidence onward{};
+    LightSample onward{};
     onward.to_light = s.ray.direction;
     next_ = Integrator::shadow_ray(s.surface, onward);
     passed_.back() = s.passed * tau;
@@ -107,9 +107,9 @@ private:
   }
 
   std::vector<InTheWay> in_the_way(const LightRecord& record, const Surface& surface) const {
-    const Ray ray = Integrator::shadow_ray(surface, record.incidence);
+    const Ray ray = Integrator::shadow_ray(surface, record.sample);
     std::vector<InTheWay> found;
-    for (const RayHit& hit : scene_.all_hits(ray, Integrator::shadow_range(record.incidence))) {
+    for (const RayHit& hit : scene_.all_hits(ray, Integrator::shadow_range(record.sample))) {
       if (!scene_.casts_shadow(hit)) continue;
       MaterialValues scratch;
       const MaterialValues& v = scene_.values(scene_.surface(ray, hit), scratch);
@@ -130,7 +130,7 @@ private:
 
 Color SurfaceNode::shading() const {
   Color sum = ambient + emission;
-  for (const LampNode& lamp : lamps) sum += lamp.record.diffuse + lamp.record.highlight;
+  for (const LightNode& light : lights) sum += light.record.diffuse + light.record.highlight;
   return sum;
 }
 

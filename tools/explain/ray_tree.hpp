@@ -12,15 +12,15 @@ namespace rt::tools::explain {
 
 struct RayNode;
 
-/// A surface between a point and a lamp.
+/// A surface between a point and a light.
 struct InTheWay {
   std::vector<std::uint32_t> path; ///< `HitReport::path`
   double distance = 0;             ///< from the point
   Color transmittance;             ///< black: it is opaque
 };
 
-/// A lamp as one point sees it.
-struct LampNode {
+/// A light as one point sees it.
+struct LightNode {
   LightRecord record;
   std::vector<InTheWay> in_the_way; ///< from the point on, up to the first opaque one; their product is the filter
 };
@@ -59,12 +59,12 @@ struct SurfaceNode {
   Vec3 normal;  ///< the shading normal, turned to the viewer
   Color passed; ///< what the surfaces before it that were crossed unbent let by
   Color ambient, emission;
-  std::vector<LampNode> lamps;
+  std::vector<LightNode> lights;
   std::optional<MirrorNode> mirror;
   std::optional<PassageNode> transition;
   std::optional<TotalReflectionNode> total_reflection;
 
-  /// Its own light and the lamps'.
+  /// Its own light and the lights'.
   Color shading() const;
 };
 

@@ -88,7 +88,7 @@ std::string Namer::title(std::span<const std::uint32_t> path) const {
   return o ? object(*o) : "?";
 }
 
-std::string Namer::lamp(std::uint32_t index) const {
+std::string Namer::light(std::uint32_t index) const {
   const scene::Light& light = scene_.lights[index];
   return with_place(name_of(scene_, light), light.origin);
 }

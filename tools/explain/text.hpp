@@ -38,7 +38,7 @@ public:
   /// The same for objects that stand within each other.
   std::string whole(std::span<const scene::Object* const> objects) const;
   std::string object(const scene::Object& object) const;
-  std::string lamp(std::uint32_t index) const;
+  std::string light(std::uint32_t index) const;
 
 private:
   std::string with_place(std::string name, scene::Origin origin) const;

@@ -12,33 +12,33 @@ namespace {
 
 constexpr double dark_below = 0.05; // of the largest component, linear: #3f3f3f and darker
 
-// What there is to say about why a lamp gives a surface little, and about all lamps together.
+// What there is to say about why a light gives a surface little, and about all lights together.
 class Surfaces {
 public:
   explicit Surfaces(const Answer& answer) : answer_(answer), namer_(answer.namer) {}
 
   std::string title(const SurfaceNode& s) const { return namer_.title(s.path); }
 
-  // Why the lamps give it so little that one would ask; lamps with the same reason share a phrase. `lit_by` do what
-  // they can; `is_strict`: only what keeps a lamp's light off altogether counts.
+  // Why the lights give it so little that one would ask; lights with the same reason share a phrase. `lit_by` do what
+  // they can; `is_strict`: only what keeps a light off altogether counts.
   std::vector<std::string> why_unlit(const SurfaceNode& s, const std::set<std::uint32_t>& lit_by = {},
                                      bool is_strict = false) const {
     std::vector<Reason> reasons;
-    for (const LampNode& lamp : s.lamps) {
-      if (lit_by.contains(lamp.record.lamp)) continue;
-      std::optional<Reason> reason = keeps_off(s, lamp);
-      if (!reason && !is_strict) reason = weakens(lamp);
+    for (const LightNode& light : s.lights) {
+      if (lit_by.contains(light.record.light)) continue;
+      std::optional<Reason> reason = keeps_off(s, light);
+      if (!reason && !is_strict) reason = weakens(light);
       if (!reason) continue;
       const auto same = std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) {
         return r.before == reason->before && r.after == reason->after;
       });
       if (same == reasons.end())
-        reasons.push_back(*reason), reasons.back().lamps = {lamp.record.lamp};
+        reasons.push_back(*reason), reasons.back().lights = {light.record.light};
       else
-        same->lamps.push_back(lamp.record.lamp);
+        same->lights.push_back(light.record.light);
     }
     std::vector<std::string> phrases;
-    for (const Reason& r : reasons) phrases.push_back(r.before + lamps_text(r.lamps) + r.after);
+    for (const Reason& r : reasons) phrases.push_back(r.before + lights_text(r.lights) + r.after);
     if (phrases.size() > 4) {
       phrases.resize(3);
       phrases.push_back("as little comes from the other lights");
@@ -48,44 +48,43 @@ public:
 
 private:
   struct Reason {
-    std::string before, after; // of the lamps' names
-    std::vector<std::uint32_t> lamps;
+    std::string before, after; // of the lights' names
+    std::vector<std::uint32_t> lights;
   };
 
-  std::string lamps_text(const std::vector<std::uint32_t>& lamps) const {
+  std::string lights_text(const std::vector<std::uint32_t>& lights) const {
     std::vector<std::string> names;
     std::map<std::string, int> counts;
-    for (const std::uint32_t lamp : lamps)
-      if (const std::string name = namer_.lamp(lamp); ++counts[name] == 1) names.push_back(name);
+    for (const std::uint32_t light : lights)
+      if (const std::string name = namer_.light(light); ++counts[name] == 1) names.push_back(name);
     for (std::string& name : names)
       if (const int count = counts[name]; count > 1) name = fmt::format("{} × {}", count, name);
     return list_text(names);
   }
 
-  std::optional<Reason> keeps_off(const SurfaceNode& s, const LampNode& lamp) const {
-    const LightRecord& r = lamp.record;
-    if (answer_.compiled.lamps()[r.lamp].color == black) return Reason{"no light comes from ", "", {}};
-    if (r.incidence.distance == 0)
-      return Reason{"", " stands in the very point that is seen and does not light it", {}};
-    if (r.incidence.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
+  std::optional<Reason> keeps_off(const SurfaceNode& s, const LightNode& light) const {
+    const LightRecord& r = light.record;
+    if (answer_.compiled.lights()[r.light].color == black) return Reason{"no light comes from ", "", {}};
+    if (r.sample.distance == 0) return Reason{"", " stands in the very point that is seen and does not light it", {}};
+    if (r.sample.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
     if (!(r.cos_light > 0)) return Reason{"it faces away from ", "", {}};
-    if (max_component(r.filter) < 0.05) return blocks(s, lamp);
+    if (max_component(r.filter) < 0.05) return blocks(s, light);
     return std::nullopt;
   }
 
-  static std::optional<Reason> weakens(const LampNode& lamp) {
-    const LightRecord& r = lamp.record;
-    if (r.incidence.fade < 0.05)
-      return Reason{"it is too far away for the light of ", fmt::format(" (fade {:.2g})", r.incidence.fade), {}};
+  static std::optional<Reason> weakens(const LightNode& light) {
+    const LightRecord& r = light.record;
+    if (r.sample.fade < 0.05)
+      return Reason{"it is too far away for the light of ", fmt::format(" (fade {:.2g})", r.sample.fade), {}};
     if (r.cos_light < 0.1) return Reason{"it is only grazed by the light of ", "", {}};
-    if (r.incidence.spot < 0.05) return Reason{"it lies at the rim of the cone of ", "", {}};
+    if (r.sample.spot < 0.05) return Reason{"it lies at the rim of the cone of ", "", {}};
     return std::nullopt;
   }
 
-  Reason blocks(const SurfaceNode& s, const LampNode& lamp) const {
-    if (lamp.in_the_way.empty()) return {"something blocks ", "", {}};
-    const InTheWay& last = lamp.in_the_way.back();
-    const std::size_t count = lamp.in_the_way.size();
+  Reason blocks(const SurfaceNode& s, const LightNode& light) const {
+    if (light.in_the_way.empty()) return {"something blocks ", "", {}};
+    const InTheWay& last = light.in_the_way.back();
+    const std::size_t count = light.in_the_way.size();
     if (last.transmittance != black && count > 1)
       return {fmt::format("{} surfaces on the way take nearly all light of ", count), "", {}};
     const std::string_view verb = last.transmittance == black ? "blocks" : "all but blocks";
@@ -173,7 +172,7 @@ private:
     if (max_component(m.color) < dark_below)
       return fmt::format("the color of {} is {}", title, m.color == black ? "black" : "dark");
     std::vector<std::string> reasons = surfaces_.why_unlit(s);
-    if (s.lamps.empty())
+    if (s.lights.empty())
       reasons.push_back("there is no light");
     else if (max_component(m.diffuse) < dark_below)
       reasons.push_back(fmt::format("the diffuse of {} is {}", title, color_text(m.diffuse)));
@@ -241,19 +240,19 @@ private:
         emission += size;
         break;
       case Contribution::Kind::diffuse:
-        diffuse[term.lamp] += size;
+        diffuse[term.light] += size;
         break;
       case Contribution::Kind::highlight:
-        highlight[term.lamp] += size;
+        highlight[term.light] += size;
         break;
       default:
         break;
       }
     }
     const std::string title = surfaces_.title(s);
-    for (const auto& [lamp, size] : highlight)
+    for (const auto& [light, size] : highlight)
       if (size > 0.5 * whole_)
-        return fmt::format("bright because {} shows the highlight of {} here ({})", title, name(lamp),
+        return fmt::format("bright because {} shows the highlight of {} here ({})", title, name(light),
                            percent_text(share(size)));
     if (emission > 0.5 * whole_)
       return fmt::format("{} glows by itself: emission gives {}", title, percent_text(share(emission)));
@@ -263,13 +262,13 @@ private:
   std::string lit(const SurfaceNode& s, const std::string& title, double ambient,
                   const std::map<std::uint32_t, double>& diffuse,
                   const std::map<std::uint32_t, double>& highlight) const {
-    std::map<std::uint32_t, double> lamps = diffuse;
-    for (const auto& [lamp, size] : highlight) lamps[lamp] += size;
+    std::map<std::uint32_t, double> lights = diffuse;
+    for (const auto& [light, size] : highlight) lights[light] += size;
     std::vector<std::string> givers;
     std::set<std::uint32_t> lit_by;
-    for (const auto& [lamp, size] : lamps)
+    for (const auto& [light, size] : lights)
       if (share(size) >= 0.1 && givers.size() < 4)
-        lit_by.insert(lamp), givers.push_back(fmt::format("{} ({})", name(lamp), percent_text(share(size))));
+        lit_by.insert(light), givers.push_back(fmt::format("{} ({})", name(light), percent_text(share(size))));
     if (share(ambient) >= 0.1) givers.push_back(fmt::format("ambient light ({})", percent_text(share(ambient))));
     std::string text =
         fmt::format("{} is seen in the light of {}", title, givers.empty() ? "many lamps" : list_text(givers));
@@ -307,7 +306,7 @@ private:
                        first, is_mirrored ? "mirrors" : "lets through", percent_text(share(size)), what, way);
   }
 
-  std::string name(std::uint32_t lamp) const { return answer_.namer.lamp(lamp); }
+  std::string name(std::uint32_t light) const { return answer_.namer.light(light); }
 
   const Answer& answer_;
   Surfaces surfaces_;

@@ -130,7 +130,7 @@ private:
     j["ambient"] = to_json(s.ambient);
     j["emission"] = to_json(s.emission);
     json lights = json::array();
-    for (const LampNode& node : s.lamps) lights.push_back(lamp(node));
+    for (const LightNode& node : s.lights) lights.push_back(light(node));
     j["lights"] = std::move(lights);
     if (s.mirror) j["mirror"] = mirror(*s.mirror);
     if (s.transition) j["passage"] = transition(*s.transition);
@@ -141,13 +141,13 @@ private:
     return j;
   }
 
-  json lamp(const LampNode& node) const {
+  json light(const LightNode& node) const {
     const LightRecord& r = node.record;
-    const scene::Light& light = answer_.scene.lights[r.lamp];
+    const scene::Light& light = answer_.scene.lights[r.light];
     json j = place_json(answer_.scene, {{"light", explain::name_of(answer_.scene, light)}}, light.origin);
-    j["distance"] = to_json(r.incidence.distance);
-    j["fade"] = to_json(r.incidence.fade);
-    j["cone"] = to_json(r.incidence.spot);
+    j["distance"] = to_json(r.sample.distance);
+    j["fade"] = to_json(r.sample.fade);
+    j["cone"] = to_json(r.sample.spot);
     j["n_dot_l"] = to_json(r.cos_light);
     j["highlight_cosine"] = to_json(r.cos_highlight);
     j["filter"] = to_json(r.filter);

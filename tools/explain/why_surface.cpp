@@ -116,62 +116,62 @@ std::string cosine_text(std::string_view name, double cosine) {
   return fmt::format("{} = {} ({})", name, number_text(cosine), angle_text(cosine));
 }
 
-std::string in_the_way_text(const Answer& answer, const LampNode& lamp) {
-  if (lamp.in_the_way.empty()) return "nothing is in the way";
-  const InTheWay& last = lamp.in_the_way.back();
+std::string in_the_way_text(const Answer& answer, const LightNode& light) {
+  if (light.in_the_way.empty()) return "nothing is in the way";
+  const InTheWay& last = light.in_the_way.back();
   if (last.transmittance == black)
     return fmt::format("{} blocks it at distance {}", answer.namer.whole(last.path), number_text(last.distance));
-  return fmt::format("filter {} by {} surface{} on the way", color_text(lamp.record.filter), lamp.in_the_way.size(),
-                     lamp.in_the_way.size() == 1 ? "" : "s");
+  return fmt::format("filter {} by {} surface{} on the way", color_text(light.record.filter), light.in_the_way.size(),
+                     light.in_the_way.size() == 1 ? "" : "s");
 }
 
-void write_filters(const Answer& answer, const LampNode& lamp, Page& page, int indent) {
+void write_filters(const Answer& answer, const LightNode& light, Page& page, int indent) {
   constexpr std::size_t most = 8;
-  if (lamp.in_the_way.empty() || (lamp.in_the_way.size() == 1 && lamp.in_the_way[0].transmittance == black)) return;
-  for (std::size_t i = 0; i < std::min(lamp.in_the_way.size(), most); ++i) {
-    const InTheWay& w = lamp.in_the_way[i];
+  if (light.in_the_way.empty() || (light.in_the_way.size() == 1 && light.in_the_way[0].transmittance == black)) return;
+  for (std::size_t i = 0; i < std::min(light.in_the_way.size(), most); ++i) {
+    const InTheWay& w = light.in_the_way[i];
     page.line(indent, fmt::format("{} at distance {} {}", answer.namer.whole(w.path), number_text(w.distance),
                                   w.transmittance == black ? "blocks it" : "lets by " + color_text(w.transmittance)));
   }
-  if (lamp.in_the_way.size() > most) page.line(indent, fmt::format("and {} more", lamp.in_the_way.size() - most));
+  if (light.in_the_way.size() > most) page.line(indent, fmt::format("and {} more", light.in_the_way.size() - most));
 }
 
-std::string where_text(const Lamp& lamp, const Incidence& incidence) {
+std::string where_text(const Light& light, const LightSample& sample) {
   std::string text =
-      lamp.kind == Lamp::Kind::sun ? "infinitely far" : fmt::format("distance {}", number_text(incidence.distance));
-  if (lamp.fade.law != scene::Fade::Law::none && lamp.kind != Lamp::Kind::sun)
-    text += fmt::format(", fade {}", number_text(incidence.fade));
-  if (lamp.kind == Lamp::Kind::spot) text += fmt::format(", in the cone {}", number_text(incidence.spot));
+      light.kind == Light::Kind::sun ? "infinitely far" : fmt::format("distance {}", number_text(sample.distance));
+  if (light.fade.law != scene::Fade::Law::none && light.kind != Light::Kind::sun)
+    text += fmt::format(", fade {}", number_text(sample.fade));
+  if (light.kind == Light::Kind::spot) text += fmt::format(", in the cone {}", number_text(sample.spot));
   return text;
 }
 
-void write_lamp(const Answer& answer, const SurfaceNode& s, const LampNode& node, Page& page, int indent) {
+void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& node, Page& page, int indent) {
   const LightRecord& r = node.record;
-  const Lamp& lamp = answer.compiled.lamps()[r.lamp];
+  const Light& light = answer.compiled.lights()[r.light];
   const MaterialValues& m = s.material;
-  const std::string name = fmt::format("{}: {}", answer.namer.lamp(r.lamp), where_text(lamp, r.incidence));
-  if (lamp.kind != Lamp::Kind::sun && r.incidence.distance == 0)
+  const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(light, r.sample));
+  if (light.kind != Light::Kind::sun && r.sample.distance == 0)
     return page.line(indent, name + ": it stands on this very point, which it does not light");
   if (!(r.cos_light > 0))
     return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));
   const std::string facing = fmt::format("{}, {}", name, cosine_text("n·l", r.cos_light));
-  if (r.incidence.color == black)
+  if (r.sample.color == black)
     return page.line(indent,
-                     fmt::format("{}: {}", facing, r.incidence.spot == 0 ? "outside its cone" : "it gives no light"));
+                     fmt::format("{}: {}", facing, r.sample.spot == 0 ? "outside its cone" : "it gives no light"));
   page.line(indent,
             fmt::format("{}; {}", facing,
-                        lamp.shadows ? in_the_way_text(answer, node) : "nothing can block it (shadows: false)"));
+                        light.shadows ? in_the_way_text(answer, node) : "nothing can block it (shadows: false)"));
   write_filters(answer, node, page, indent + 2);
   if (r.filter == black) return;
-  const Color arriving = r.incidence.color * r.filter;
+  const Color arriving = r.sample.color * r.filter;
   page.line(indent + 2,
             fmt::format("C_L = color·intensity{}{}{} = {}",
-                        lamp.fade.law != scene::Fade::Law::none && lamp.kind != Lamp::Kind::sun ? "·fade" : "",
-                        lamp.kind == Lamp::Kind::spot ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
+                        light.fade.law != scene::Fade::Law::none && light.kind != Light::Kind::sun ? "·fade" : "",
+                        light.kind == Light::Kind::spot ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
                         color_text(arriving)));
   page.line(indent + 2, fmt::format("diffuse = C_L·a·c·{}·(n·l) = {}", color_text(m.diffuse), color_text(r.diffuse)));
   if (m.specular == 0) return;
-  if (!lamp.shadows) return page.line(indent + 2, "no highlight: a light without shadows gives none");
+  if (!light.shadows) return page.line(indent + 2, "no highlight: a light without shadows gives none");
   const bool is_blinn = m.highlight == scene::Highlight::blinn;
   const std::string cosine = cosine_text(is_blinn ? "n·h" : "r·l", r.cos_highlight);
   if (!(r.cos_highlight > 0)) return page.line(indent + 2, fmt::format("no highlight: {}", cosine));
@@ -188,8 +188,8 @@ void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int i
                                     color_text(answer.compiled.ambient()), color_text(s.ambient)));
   if (m.emission != black)
     page.line(indent + 2, fmt::format("emission = a·c·{} = {}", color_text(m.emission), color_text(s.emission)));
-  for (const LampNode& lamp : s.lamps) write_lamp(answer, s, lamp, page, indent + 2);
-  if (s.lamps.empty()) page.line(indent + 2, "there is no light");
+  for (const LightNode& light : s.lights) write_light(answer, s, light, page, indent + 2);
+  if (s.lights.empty()) page.line(indent + 2, "there is no light");
   page.line(indent + 2, fmt::format("together {}{}", color_text(s.shading()),
                                     s.passed == white ? ""
                                                       : fmt::format(", of which the surfaces before let by {}",

@@ -112,10 +112,10 @@ std::string term_text(const Answer& answer, const Contribution& term) {
     text = fmt::format("emission of {}", where);
     break;
   case Contribution::Kind::diffuse:
-    text = fmt::format("{} on {}", answer.namer.lamp(term.lamp), where);
+    text = fmt::format("{} on {}", answer.namer.light(term.light), where);
     break;
   case Contribution::Kind::highlight:
-    text = fmt::format("highlight of {} on {}", answer.namer.lamp(term.lamp), where);
+    text = fmt::format("highlight of {} on {}", answer.namer.light(term.light), where);
     break;
   case Contribution::Kind::background:
     text = "the background";

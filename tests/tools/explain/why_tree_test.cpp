@@ -65,7 +65,7 @@ void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_v
   CHECK(gap(answer.sum.total, traced) <= 1e-12);
   CHECK(gap(assembled(*answer.tree), traced) <= 1e-12);
   for_each_surface(*answer.tree, [&](const explain::SurfaceNode& s) {
-    for (const explain::LampNode& lamp : s.lamps) {
+    for (const explain::LightNode& lamp : s.lights) {
       Color filter = white;
       for (const explain::InTheWay& w : lamp.in_the_way) filter *= w.transmittance;
       CHECK(filter == lamp.record.filter); // the surfaces that are named are those that dim it

@@ -13,10 +13,10 @@ struct Collector : NoRecorder {
   void begin_ray(RayKind, const Ray& ray, int, const Color&) { rays.nearest.push_back(ray); }
   void light(const LightRecord& record, const Surface& surface) {
     if (!(record.cos_light > 0)) return;
-    const Vec3& l = record.incidence.to_light;
+    const Vec3& l = record.sample.to_light;
     const double side = dot(surface.geometric_normal, l) < 0 ? -surface.offset : surface.offset;
     rays.shadow.push_back({surface.point + surface.geometric_normal * side, l});
-    rays.shadow_ends.push_back(OwnTolerances::shadow_end(record.incidence.distance));
+    rays.shadow_ends.push_back(OwnTolerances::shadow_end(record.sample.distance));
   }
 };
 

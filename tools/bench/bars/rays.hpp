@@ -11,7 +11,7 @@ namespace rt::tools::bench {
 struct FrameRays {
   std::vector<Ray> nearest; ///< unit directions
   std::vector<Ray> shadow;
-  std::vector<double> shadow_ends; ///< how far the lamp is
+  std::vector<double> shadow_ends; ///< how far the light is
 };
 
 /// Of the whole picture, `size` pixels each way.

@@ -25,13 +25,11 @@ scene::Scene describe(const Layout& layout) {
   scene.ambient = white;
   scene.max_depth = mirror_depth;
   scene.camera = {.at = layout.eye, .look_at = layout.target, .fov = layout.fov};
-  for (const PointLamp& lamp : layout.lamps) {
+  for (const BenchLight& light : layout.lights) {
     scene::PointLight source;
-    source.at = lamp.at;
-    source.color = lamp.color;
-    scene::Light light;
-    light.source = source;
-    scene.lights.push_back(light);
+    source.at = light.at;
+    source.color = light.color;
+    scene.lights.emplace_back().source = source;
   }
   for (const Finish& f : layout.finishes) scene.materials.push_back(material(f));
   const auto add = [&](auto shape, std::uint32_t finish, const Vec3& at = {}) {

@@ -44,7 +44,7 @@ struct FloorShape {
   std::uint32_t finish;
 };
 
-struct PointLamp {
+struct BenchLight {
   Vec3 at;
   Color color;
 };
@@ -54,7 +54,7 @@ struct Layout {
   Vec3 eye, target;
   double fov = 45; ///< degrees, of both sides: pictures are square
   Color background = black;
-  std::vector<PointLamp> lamps;
+  std::vector<BenchLight> lights;
   std::vector<Finish> finishes;
   std::vector<BallShape> balls;
   std::vector<TubeShape> tubes;

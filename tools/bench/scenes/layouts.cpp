@@ -26,7 +26,7 @@ private:
   std::mt19937 engine_;
 };
 
-std::vector<PointLamp> two_lamps(const Vec3& eye, double distance) {
+std::vector<BenchLight> two_lights(const Vec3& eye, double distance) {
   const Vec3 right = normalize(cross(-eye, {0, 1, 0}));
   return {{normalize(eye - right * length(eye) * 0.6 + Vec3{0, length(eye), 0}) * distance, {0.7, 0.7, 0.7}},
           {normalize(eye * 0.5 + right * length(eye) + Vec3{0, 0.3 * length(eye), 0}) * distance, {0.4, 0.4, 0.5}}};
@@ -66,7 +66,7 @@ Layout sphereflake(int depth) {
   layout.target = {0, -0.1, 0};
   layout.fov = 40;
   layout.background = {0.08, 0.36, 0.72};
-  layout.lamps = two_lamps(layout.eye, 20);
+  layout.lights = two_lights(layout.eye, 20);
   layout.finishes = {{.color = {1, 0.75, 0.33}, .specular = 0},
                      {.color = {1, 0.9, 0.7}, .diffuse = 0.5, .reflect = 0.5}};
   layout.floors = {{-1.1, 0}};
@@ -99,7 +99,7 @@ Layout rings() {
   layout.target = {0.5, 7.2, 0};
   layout.fov = 29;
   layout.background = {0.08, 0.36, 0.72};
-  layout.lamps = two_lamps(layout.eye, 100);
+  layout.lights = two_lights(layout.eye, 100);
   layout.finishes = palette();
   layout.finishes.push_back({.color = {0.8, 0.78, 0.7}, .specular = 0});
   layout.floors = {{0, 8}};
@@ -123,7 +123,7 @@ Layout mixed() {
   Layout layout;
   layout.eye = cube_eye;
   layout.background = {0.05, 0.08, 0.15};
-  layout.lamps = two_lamps(layout.eye, 100);
+  layout.lights = two_lights(layout.eye, 100);
   layout.finishes = palette();
   Random random(1);
   for (int i = 0; i < each; ++i) {
@@ -146,7 +146,7 @@ Layout random_balls(int count) {
   Layout layout;
   layout.eye = cube_eye;
   layout.background = {0.05, 0.08, 0.15};
-  layout.lamps = two_lamps(layout.eye, 100);
+  layout.lights = two_lights(layout.eye, 100);
   layout.finishes = palette();
   const double radius = 16 * std::cbrt(0.04 * 3 / (4 * pi * count));
   Random random(2);
@@ -165,7 +165,7 @@ Layout whitted() {
   layout.target = {0, 0.6, 0};
   layout.fov = 42;
   layout.background = {0.2, 0.35, 0.7};
-  layout.lamps = {{{-6, 9, 6}, {0.8, 0.8, 0.8}}, {{7, 6, 3}, {0.4, 0.4, 0.35}}};
+  layout.lights = {{{-6, 9, 6}, {0.8, 0.8, 0.8}}, {{7, 6, 3}, {0.4, 0.4, 0.35}}};
   layout.finishes = {{.color = {0.9, 0.15, 0.1}, .specular = 0},
                      {.color = {0.9, 0.8, 0.15}, .specular = 0},
                      {.color = white, .diffuse = 0.2, .specular = 0.6, .reflect = 0.1, .refract = 0.85, .ior = 1.5},

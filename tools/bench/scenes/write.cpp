@@ -35,8 +35,8 @@ void rtl_header(std::string& out, const Layout& layout) {
   put(out, "size: [{0}, {0}]\nmax_depth: {1}\nambient: 1\nbackground: {2}\n\n", picture_size, mirror_depth,
       linear(layout.background));
   put(out, "camera {{ at: {}, look_at: {}, fov: {} }}\n", list(layout.eye), list(layout.target), layout.fov);
-  for (const PointLamp& lamp : layout.lamps)
-    put(out, "light {{ at: {}, color: {} }}\n", list(lamp.at), linear(lamp.color));
+  for (const BenchLight& light : layout.lights)
+    put(out, "light {{ at: {}, color: {} }}\n", list(light.at), linear(light.color));
   out += "\n";
   for (std::size_t i = 0; i < layout.finishes.size(); ++i) {
     const Finish& f = layout.finishes[i];
@@ -82,8 +82,8 @@ std::string povray(const Layout& layout) {
   const auto exact = [](const Vec3& p) { return fmt::format("<{:.17g},{:.17g},{:.17g}>", p.x, p.y, p.z); };
   put(out, "camera {{ perspective location {} direction {} right {} up {} }}\n", angle(layout.eye), exact(forward),
       exact(right * width), exact(cross(right, forward) * width));
-  for (const PointLamp& lamp : layout.lamps)
-    put(out, "light_source {{ {} rgb {} }}\n", angle(lamp.at), angle(lamp.color));
+  for (const BenchLight& light : layout.lights)
+    put(out, "light_source {{ {} rgb {} }}\n", angle(light.at), angle(light.color));
   for (std::size_t i = 0; i < layout.finishes.size(); ++i) {
     const Finish& f = layout.finishes[i];
     put(out, "#declare m{} = texture {{ pigment {{ rgb {} filter {} }} finish {{ ambient {} diffuse {}", i,
@@ -124,8 +124,8 @@ std::string tachyon(const Layout& layout) {
   put(out, "FRUSTUM {:.9g} {:.9g} {:.9g} {:.9g}\nEND_CAMERA\n", -half - shift, half - shift, -half - shift,
       half - shift);
   put(out, "BACKGROUND {}\n", rgb(layout.background, " "));
-  for (const PointLamp& lamp : layout.lamps)
-    put(out, "LIGHT CENTER {} RAD 0.001 COLOR {}\n", mirrored(lamp.at), rgb(lamp.color, " "));
+  for (const BenchLight& light : layout.lights)
+    put(out, "LIGHT CENTER {} RAD 0.001 COLOR {}\n", mirrored(light.at), rgb(light.color, " "));
   for (std::size_t i = 0; i < layout.finishes.size(); ++i) {
     const Finish& f = layout.finishes[i];
     put(out, "TEXDEF m{} AMBIENT {} DIFFUSE {} SPECULAR {} OPACITY {} ", i, f.ambient * (1 - f.refract),

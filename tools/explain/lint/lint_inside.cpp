@@ -39,9 +39,9 @@ void find_eye_inside(LintContext& context) {
     const bool is_all_there_is =
         std::ranges::all_of(context.view.orders, [&](std::uint64_t order) { return order == around.order; });
     const auto holds_a_light = [&] {
-      return std::ranges::any_of(context.query.scene().lamps(), [&](const Lamp& lamp) {
-        if (lamp.kind == Lamp::Kind::sun) return false;
-        const auto solids = solids_around(context, lamp.at);
+      return std::ranges::any_of(context.query.scene().lights(), [&](const Light& light) {
+        if (light.kind == Light::Kind::sun) return false;
+        const auto solids = solids_around(context, light.at);
         return std::ranges::any_of(solids, [&](const Around& a) { return a.order == around.order; });
       });
     };
@@ -57,14 +57,14 @@ void find_eye_inside(LintContext& context) {
 
 void find_lights_inside(LintContext& context) {
   constexpr std::size_t most_lights = 10'000;
-  const auto& lamps = context.query.scene().lamps();
+  const auto& lights = context.query.scene().lights();
   const auto is_around_eye = [&](const Around& around) {
     return std::ranges::any_of(context.around_eye, [&](const Around& a) { return a.order == around.order; });
   };
   std::set<std::pair<Line, Line>> told;
-  for (std::size_t i = 0; i < std::min(lamps.size(), most_lights); ++i) {
-    if (lamps[i].kind == Lamp::Kind::sun || !lamps[i].shadows) continue;
-    for (const Around& around : solids_around(context, lamps[i].at)) {
+  for (std::size_t i = 0; i < std::min(lights.size(), most_lights); ++i) {
+    if (lights[i].kind == Light::Kind::sun || !lights[i].shadows) continue;
+    for (const Around& around : solids_around(context, lights[i].at)) {
       if (around.is_transparent || !around.casts_shadow || is_around_eye(around)) continue;
       const scene::Light& light = context.scene.lights[i];
       const Line place = line_of(light.origin), solid = line_of(thing_of(around.objects).origin);

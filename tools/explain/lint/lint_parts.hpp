@@ -30,8 +30,8 @@ struct LintView {
   std::set<std::uint64_t> orders; ///< of the shapes, as `HitReport::order`
 };
 
-/// How one lamp fares at the surfaces that the picture shows.
-struct LampTally {
+/// How one light fares at the surfaces that the picture shows.
+struct LightTally {
   bool is_lit = false;       ///< some surface gets light from it
   std::uint64_t dark = 0;    ///< there is none to get: outside of a spot's cone, or it has none
   std::uint64_t averted = 0; ///< the surface faces the other way
@@ -55,7 +55,7 @@ struct LintSurvey {
   std::uint64_t cut_off = 0;                ///< rays with a branch of some weight beyond max_depth
   std::map<Line, std::uint64_t> cut_off_at; ///< the surface it began at
   std::set<Line> lines;                     ///< seen in any way
-  std::vector<LampTally> lamps;
+  std::vector<LightTally> lights;
   std::map<std::pair<Line, Line>, Coincidence> coincidences; ///< the nearer first
 };
 

@@ -57,9 +57,9 @@ Line most_common(const std::map<Line, std::uint64_t>& counts) {
   return best;
 }
 
-/// Why a lamp gives nothing, and what to do.
-std::pair<std::string, std::string> darkness(const LintContext& context, const Lamp& lamp, const LampTally& tally) {
-  if (lamp.color == black) return {"its `color` or `intensity` is 0", "give it some, or take it out"};
+/// Why a light gives nothing, and what to do.
+std::pair<std::string, std::string> darkness(const LintContext& context, const Light& light, const LightTally& tally) {
+  if (light.color == black) return {"its `color` or `intensity` is 0", "give it some, or take it out"};
   if (tally.blocked > 0 && tally.blocked >= tally.averted) {
     const Line line = most_common(tally.blockers);
     const std::string where = context.findings.place(line);
@@ -67,7 +67,7 @@ std::pair<std::string, std::string> darkness(const LintContext& context, const L
                           : fmt::format("what {} places is in the way of it", where),
             "move one of them, or write `casts_shadow: false` where the shadow is not wanted"};
   }
-  if (lamp.kind == Lamp::Kind::spot && tally.dark > 0 && tally.averted <= tally.dark)
+  if (light.kind == Light::Kind::spot && tally.dark > 0 && tally.averted <= tally.dark)
     return {"nothing that is seen lies within its cone", "look at its `look_at` and `angle`"};
   return {"all that is seen faces the other way", "it shines from behind: move it to the side that the camera sees"};
 }
@@ -126,9 +126,9 @@ void find_overlaps(LintContext& context) {
 
 void find_dark_lights(LintContext& context) {
   if (context.view.hits == 0 || context.is_eye_shut_in) return;
-  const auto& lamps = context.query.scene().lamps();
-  const auto is_dark = [](const LampTally& tally) { return !tally.is_lit; };
-  if (std::ranges::none_of(context.survey.lamps, is_dark)) return;
+  const auto& lights = context.query.scene().lights();
+  const auto is_dark = [](const LightTally& tally) { return !tally.is_lit; };
+  if (std::ranges::none_of(context.survey.lights, is_dark)) return;
   const LintSurvey closer = survey_of(context, 10 * survey_rays); // what it reaches may be small
   struct Dark {
     std::size_t first = 0;
@@ -136,9 +136,9 @@ void find_dark_lights(LintContext& context) {
   };
   std::map<Line, Dark> lines;
   std::set<Line> lit;
-  for (std::size_t i = 0; i < lamps.size(); ++i) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
     const Line line = line_of(context.scene.lights[i].origin);
-    if (closer.lamps[i].is_lit || context.survey.lamps[i].is_lit) {
+    if (closer.lights[i].is_lit || context.survey.lights[i].is_lit) {
       lit.insert(line);
     } else if (Dark& dark = lines[line]; dark.count++ == 0) {
       dark.first = i;
@@ -149,7 +149,7 @@ void find_dark_lights(LintContext& context) {
     if (lit.contains(line) || context.shut_in_lights.contains(line)) continue;
     const std::string name = Findings::subject(name_of(context.scene, context.scene.lights[dark.first]), dark.count);
     lang::Diagnostic& d = context.findings.warn("W0301", line, fmt::format("{} reaches nothing that is seen", name));
-    auto [why, advice] = darkness(context, lamps[dark.first], closer.lamps[dark.first]);
+    auto [why, advice] = darkness(context, lights[dark.first], closer.lights[dark.first]);
     d.label = std::move(why);
     d.notes.push_back({std::nullopt, std::move(advice)});
   }

@@ -13,13 +13,13 @@ namespace {
 constexpr double weight_that_counts = 0.1;        // of a branch that is cut off, in its pixel
 constexpr double weight_of_coincidence = 0.02;    // of a ray whose surfaces are looked at twice
 constexpr int coincidences_looked_for = 32;       // for one pixel
-constexpr std::size_t most_blockers = 200;        // that are looked for, for one lamp
+constexpr std::size_t most_blockers = 200;        // that are looked for, for one light
 constexpr double black_below = 0.5 / 255 / 12.92; // what sRGB rounds to 0
 constexpr double white_from = 1 + 1e-9;
 
 struct Listener : NoRecorder {
   Listener(const LintContext& c, LintSurvey& s) : context(c), survey(s) {
-    survey.lamps.resize(c.query.scene().lamps().size());
+    survey.lights.resize(c.query.scene().lights().size());
   }
 
   struct RayFrame {
@@ -57,9 +57,9 @@ struct Listener : NoRecorder {
   }
 
   void light(const LightRecord& record, const Surface& surface) {
-    LampTally& tally = survey.lamps[record.lamp];
+    LightTally& tally = survey.lights[record.light];
     if (tally.is_lit) return;
-    if (record.incidence.color == black) {
+    if (record.sample.color == black) {
       ++tally.dark;
     } else if (record.cos_light <= 0) {
       ++tally.averted;
@@ -71,9 +71,9 @@ struct Listener : NoRecorder {
     }
   }
 
-  void find_blocker(const LightRecord& record, const Surface& surface, LampTally& tally) const {
-    for (const HitReport& hit : context.query.all_hits(Whitted<>::shadow_ray(surface, record.incidence),
-                                                       Whitted<>::shadow_range(record.incidence))) {
+  void find_blocker(const LightRecord& record, const Surface& surface, LightTally& tally) const {
+    for (const HitReport& hit : context.query.all_hits(Whitted<>::shadow_ray(surface, record.sample),
+                                                       Whitted<>::shadow_range(record.sample))) {
       if (hit.material.refract > 0) continue;
       ++tally.blockers[line_of(objects_on(context.scene, hit.path).back()->origin)];
       return;
@@ -152,10 +152,10 @@ void merge(LintSurvey& all, const LintSurvey& part) {
   all.cut_off += part.cut_off;
   for (const auto& [line, count] : part.cut_off_at) all.cut_off_at[line] += count;
   all.lines.insert(part.lines.begin(), part.lines.end());
-  all.lamps.resize(part.lamps.size());
-  for (std::size_t i = 0; i < part.lamps.size(); ++i) {
-    LampTally& to = all.lamps[i];
-    const LampTally& from = part.lamps[i];
+  all.lights.resize(part.lights.size());
+  for (std::size_t i = 0; i < part.lights.size(); ++i) {
+    LightTally& to = all.lights[i];
+    const LightTally& from = part.lights[i];
     to.is_lit |= from.is_lit;
     to.dark += from.dark, to.averted += from.averted, to.blocked += from.blocked;
     for (const auto& [line, count] : from.blockers) to.blockers[line] += count;

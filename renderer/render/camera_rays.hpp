@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/sampler.hpp"
 #include "renderer/math/ray.hpp"
 #include "renderer/scene/camera.hpp"
 
@@ -19,14 +20,10 @@ public:
     return {origin_, normalize(forward_ + across)};
   }
 
-  /// The place of one sample within a pixel: of an n × n grid, the `sample`-th row by row; 0 of 1 is the pixel's
-  /// centre.
-  struct Place {
-    double x, y;
-    Place(int sample, int n) : x((sample % n + 0.5) / n), y((sample / n + 0.5) / n) {}
-  };
-  Ray ray(int pixel_x, int pixel_y, const Place& place) const { return ray(pixel_x + place.x, pixel_y + place.y); }
-  Ray ray(int pixel_x, int pixel_y, int sample, int n) const { return ray(pixel_x, pixel_y, Place(sample, n)); }
+  /// The ray of one of a pixel's samples.
+  Ray ray(const PixelPosition& pixel, const Sampler& sampler, int sample) const {
+    return ray(pixel.x + sampler.get(pixel, sample, 0), pixel.y + sampler.get(pixel, sample, 1));
+  }
 
   /// Whether all rays start at the same point.
   bool has_one_eye() const { return !is_orthographic_; }

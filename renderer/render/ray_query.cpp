@@ -5,7 +5,7 @@
 namespace rt {
 
 RayQuery::RayQuery(const scene::Scene& scene, int threads)
-    : scene_(scene, threads), camera_(scene.camera, scene.size) {}
+    : scene_(scene, threads), camera_(scene.camera, scene.size), sampler_(scene.samples) {}
 
 std::optional<HitReport> RayQuery::nearest(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;

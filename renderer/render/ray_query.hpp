@@ -49,6 +49,18 @@ public:
   /// length of the ray's direction does not matter.
   Color radiance(const Ray& ray, Tolerances tolerances = Tolerances::own) const;
 
+  /// The mean over the samples of a pixel, as the picture has it before it is rounded for the film.
+  Color pixel(int x, int y) const {
+    return pixel(x, y, [this](const Ray& ray) { return radiance(ray); });
+  }
+  /// The same of what `radiance_of` finds for each sample's ray.
+  template <class RadianceOf>
+  Color pixel(int x, int y, RadianceOf&& radiance_of) const {
+    Color sum = black;
+    for (int i = 0; i < sampler_.samples(); ++i) sum += radiance_of(camera_.ray({x, y}, sampler_, i));
+    return sum * (1.0 / sampler_.samples());
+  }
+
   /// The ray as it is traced: with a direction of unit length. One that has it, up to rounding, is not touched, so that
   /// a camera's ray gives what the picture shows to the last bit.
   static Ray unit(const Ray& ray);
@@ -60,6 +72,7 @@ private:
 
   CompiledScene scene_;
   CameraRays camera_;
+  Sampler sampler_;
 };
 
 } // namespace rt

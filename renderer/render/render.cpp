@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -57,7 +56,7 @@ class Job {
 public:
   Job(const View& view, const CompiledScene& scene, const RenderOptions& options, const PixelRect& rect, Film& film)
       : scene_(scene), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
-        around_eye_(scene.around(view.camera.at)), side_(static_cast<int>(std::lround(std::sqrt(view.samples)))),
+        around_eye_(scene.around(view.camera.at)), sampler_(view.samples),
         columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
 
   /// What one thread does: takes tiles until none are left or it is told to stop.
@@ -126,20 +125,20 @@ private:
 
     // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
     bool trace_block(const PixelRect& block) {
-      const int n = job_.side_;
+      const Sampler& sampler = job_.sampler_;
       std::array<Color, bvh::packet_size> sums{}, values;
-      for (int sample = 0; sample < n * n; ++sample) {
-        const CameraRays::Place place(sample, n);
+      for (int sample = 0; sample < sampler.samples(); ++sample) {
         StaticVector<Ray, bvh::packet_size> rays;
-        for_each_pixel(block,
-                       [&](int x, int y, std::size_t) { rays.add([&] { return job_.camera_.ray(x, y, place); }); });
+        for_each_pixel(block, [&](int x, int y, std::size_t) {
+          rays.add([&] { return job_.camera_.ray({x, y}, sampler, sample); });
+        });
         trace_rays(rays, values);
         if (job_.is_stopped()) return false;
         for (std::size_t i = 0; i < rays.size(); ++i) sums[i] += values[i];
       }
       for_each_pixel(block, [&](int x, int y, std::size_t i) {
         const std::size_t index = job_.film_.index(x - job_.rect_.x0, y - job_.rect_.y0);
-        job_.film_.color[index] = to_single(sums[i] * (1.0 / (n * n)));
+        job_.film_.color[index] = to_single(sums[i] * (1.0 / sampler.samples()));
         if (job_.options_.layers) trace_layers(job_.camera_.ray(x + 0.5, y + 0.5), index);
       });
       return true;
@@ -213,7 +212,7 @@ private:
   Film& film_;
   CameraRays camera_;
   std::vector<Medium> around_eye_;
-  int side_; // of the grid of samples in a pixel
+  Sampler sampler_;
   int columns_, rows_;
   std::atomic<int> next_tile_ = 0, finished_tiles_ = 0;
   std::atomic<std::uint64_t> rays_ = 0;

@@ -138,9 +138,14 @@ std::span<const Field> fields(const Scene*) {
   return table;
 }
 
+std::optional<int> sample_grid(int samples) {
+  const int side = static_cast<int>(std::lround(std::sqrt(std::max(samples, 0))));
+  if (side == 0 || side * side != samples) return std::nullopt;
+  return side;
+}
+
 std::optional<Problem> check(const Scene& scene) {
-  const int side = static_cast<int>(std::lround(std::sqrt(scene.samples)));
-  if (side * side != scene.samples)
+  if (!sample_grid(scene.samples))
     return Problem{"samples", "`samples` is a grid of n × n rays: write a square number (1, 4, 9, 16, …)"};
   return std::nullopt;
 }

@@ -41,6 +41,9 @@ struct Scene {
   std::vector<std::string> files;
 };
 
+/// The side n of the grid of n × n samples in a pixel; nothing where `samples` is no square number.
+std::optional<int> sample_grid(int samples);
+
 /// The fields of the scene itself: size, background, ambient, max_depth, samples.
 std::span<const Field> fields(const Scene*);
 std::optional<Problem> check(const Scene&);

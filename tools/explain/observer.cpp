@@ -3,8 +3,6 @@
 #include "renderer/render/ray_query.hpp"
 #include "tools/explain/naming.hpp"
 
-#include <cmath>
-
 namespace rt::tools::explain {
 namespace {
 
@@ -28,12 +26,7 @@ public:
     return t;
   }
 
-  Color pixel_color(int x, int y) const override {
-    const int side = static_cast<int>(std::lround(std::sqrt(scene_.samples)));
-    Color sum = black;
-    for (int i = 0; i < side * side; ++i) sum = sum + query_.radiance(query_.camera().ray(x, y, i, side));
-    return sum * (1.0 / (side * side));
-  }
+  Color pixel_color(int x, int y) const override { return query_.pixel(x, y); }
 
 private:
   const scene::Scene& scene_;

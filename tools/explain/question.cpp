@@ -10,20 +10,17 @@
 namespace rt::tools::explain {
 namespace {
 
-int grid_side(const scene::Scene& scene) {
-  return static_cast<int>(std::lround(std::sqrt(scene.samples)));
-}
-
 NamedRay pixel_ray(const Question& q, const scene::Scene& scene, const CameraRays& camera) {
   const auto [x, y] = *q.pixel;
   if (x < 0 || y < 0 || x >= scene.size[0] || y >= scene.size[1])
     throw UsageError(
         fmt::format("pixel {},{} is outside the picture of {}×{} pixels", x, y, scene.size[0], scene.size[1]));
   if (!q.sample) return {camera.ray(x + 0.5, y + 0.5), fmt::format("pixel ({}, {})", x, y)};
-  const int n = grid_side(scene);
-  if (*q.sample < 0 || *q.sample >= n * n)
-    throw UsageError(fmt::format("the pixel has {} samples, numbered from 0: there is no sample {}", n * n, *q.sample));
-  return {camera.ray(x, y, *q.sample, n), fmt::format("sample {} of pixel ({}, {})", *q.sample, x, y)};
+  if (*q.sample < 0 || *q.sample >= scene.samples)
+    throw UsageError(
+        fmt::format("the pixel has {} samples, numbered from 0: there is no sample {}", scene.samples, *q.sample));
+  return {camera.ray({x, y}, Sampler(scene.samples), *q.sample),
+          fmt::format("sample {} of pixel ({}, {})", *q.sample, x, y)};
 }
 
 NamedRay point_ray(const Question& q, const scene::Scene& scene, const CameraRays& camera) {

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <system_error>
 
@@ -54,8 +53,7 @@ RenderCommand parse_render(std::string_view arguments) {
     } else if (word == "--samples") {
       int samples = 0;
       std::from_chars(value.data(), value.data() + value.size(), samples);
-      const int side = static_cast<int>(std::lround(std::sqrt(std::max(samples, 0))));
-      if (samples < 1 || side * side != samples)
+      if (!scene::sample_grid(samples))
         command.problem = "--samples takes a square number: 1, 4, 9, 16";
       else
         command.settings.samples = samples;

@@ -150,3 +150,10 @@ TEST_CASE("bounds: things may nest as deep as memory goes") {
   CHECK(bounds(scene).upper.x == 200001);
   CHECK(count_primitives(scene) == 1);
 }
+
+TEST_CASE("scene: samples make a grid if their number is a square") {
+  CHECK(scene::sample_grid(1) == 1);
+  CHECK(scene::sample_grid(9) == 3);
+  CHECK(scene::sample_grid(65536) == 256);
+  for (const int samples : {-4, 0, 2, 8, 10, 65535}) CHECK_FALSE(scene::sample_grid(samples).has_value());
+}

@@ -28,7 +28,7 @@ FrameRays frame_rays(const CompiledScene& scene, const scene::Camera& camera, in
   Whitted<OwnTolerances, Collector> whitted(scene, collector);
   const CameraRays camera_rays(camera, {size, size});
   for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) whitted.radiance(camera_rays.ray(x, y, 0, 1), {});
+    for (int x = 0; x < size; ++x) whitted.radiance(camera_rays.ray(x + 0.5, y + 0.5), {});
   return rays;
 }
 

@@ -22,8 +22,7 @@ Ray center(const RayQuery& query, int x, int y) {
 
 } // namespace
 
-Retracer::Retracer(const scene::Scene& scene)
-    : scene_(scene), side_(static_cast<int>(std::lround(std::sqrt(scene.samples)))) {
+Retracer::Retracer(const scene::Scene& scene) : scene_(scene) {
   for (scene::Material& m : scene_.materials) m.ior = static_cast<float>(m.ior);
 }
 Retracer::~Retracer() = default;
@@ -35,11 +34,9 @@ const RayQuery& Retracer::query() {
 
 template <class Turn>
 Rgb32 Retracer::color(int x, int y, Turn&& turn) {
-  Color sum;
-  for (int sample = 0; sample < side_ * side_; ++sample)
-    sum += query().radiance(turn(query().camera().ray(x, y, sample, side_)), RayQuery::Tolerances::povray);
-  sum = sum * (1.0 / (side_ * side_));
-  return {static_cast<float>(sum.r), static_cast<float>(sum.g), static_cast<float>(sum.b)};
+  const Color c =
+      query().pixel(x, y, [&](const Ray& ray) { return query().radiance(turn(ray), RayQuery::Tolerances::povray); });
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
 Rgb32 Retracer::color(int x, int y) {

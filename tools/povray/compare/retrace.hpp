@@ -39,7 +39,6 @@ private:
   Rgb32 color(int x, int y, Turn&& turn);
 
   scene::Scene scene_;
-  int side_;                        ///< of a pixel's grid of samples
   std::unique_ptr<RayQuery> query_; ///< made when it is first needed: most pictures need none
 };
 

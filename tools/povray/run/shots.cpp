@@ -1,7 +1,6 @@
 #include "tools/povray/run/shots.hpp"
 
 #include <cassert>
-#include <cmath>
 
 namespace rt::tools::povray {
 namespace {
@@ -57,7 +56,7 @@ private:
 } // namespace
 
 Shots shoot(const Scene& scene, const ShootOptions& options) {
-  const int n = static_cast<int>(std::lround(std::sqrt(scene.samples)));
+  const int n = scene::sample_grid(scene.samples).value();
   Shots shots{scene.size[0], scene.size[1], {}, {}, {}, {}, true};
   run_many(4, options.at_once, [&](std::size_t i) {
     const Pass pass = static_cast<Pass>(i);

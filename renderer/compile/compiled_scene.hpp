@@ -8,11 +8,6 @@
 
 namespace rt {
 
-/// Rays traced so far.
-struct RayCounts {
-  std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0;
-};
-
 /// A ray to a light, in a packet.
 struct ShadowRay {
   Ray ray;

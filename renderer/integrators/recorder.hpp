@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/compile/compiled_scene.hpp"
+#include "renderer/shading/bsdf.hpp"
 #include "renderer/shading/lights.hpp"
-#include "renderer/shading/materials.hpp"
 #include "renderer/shading/media.hpp"
 
 namespace rt {
@@ -11,13 +11,11 @@ enum class RayKind : std::uint8_t { camera, reflected, refracted, total_reflecti
 
 /// What one light gives to one point, term by term.
 struct LightRecord {
-  std::uint32_t light = 0;  ///< index in the scene's lights
-  LightSample sample;       ///< before shadows
-  double cos_light = 0;     ///< n·l
-  double cos_highlight = 0; ///< n·h, or r·l for Phong's form
-  Color filter = white;     ///< what surfaces on the way leave of the light
-  Color tint = white;       ///< of a metal's highlight
-  Color diffuse, highlight; ///< the terms themselves
+  std::uint32_t light = 0; ///< index in the scene's lights
+  LightSample sample;      ///< before shadows
+  double cos_light = 0;    ///< n·l
+  Color filter = white;    ///< what surfaces on the way leave of the light
+  ReflectedLight reflected;
 };
 
 /// Listens to the integrator. This one does nothing and costs nothing; a recorder replaces what it wants to hear.
@@ -35,7 +33,7 @@ struct NoRecorder {
   /// `normal` is the shading normal, turned to the viewer.
   void surface(const RayHit&, const Surface&, const MaterialValues&, const Vec3& /*normal*/) {}
   void own_light(const Color& /*ambient*/, const Color& /*emission*/) {}
-  /// What blocks the light, if something does, is found along `Whitted::shadow_ray`.
+  /// What blocks the light, if something does, is found along the rules' ray that leaves the surface.
   void light(const LightRecord&, const Surface&) {}
   /// ρ, and what is in it of Fresnel's reflectance (1 where it is not asked for) at this cosine and ratio of indices.
   void reflection(const Color& /*rho*/, double /*reflectance*/, double /*cosine*/, double /*eta*/) {}

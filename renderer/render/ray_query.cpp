@@ -1,6 +1,6 @@
 #include "renderer/render/ray_query.hpp"
 
-#include "renderer/integrators/whitted.hpp"
+#include <cmath>
 
 namespace rt {
 
@@ -20,11 +20,11 @@ std::vector<HitReport> RayQuery::all_hits(const Ray& ray, const Interval& range)
   return reports;
 }
 
-Color RayQuery::radiance(const Ray& ray, Tolerances tolerances) const {
-  NoRecorder recorder;
-  const std::vector<Medium> around = scene_.around(ray.origin);
-  if (tolerances == Tolerances::own) return Whitted<>(scene_, recorder).radiance(unit(ray), around);
-  return Whitted<PovrayTolerances>(scene_, recorder).radiance(unit(ray), around);
+Color RayQuery::radiance(const Ray& ray, IntegratorKind kind) const {
+  const Ray traced = unit(ray);
+  Color result;
+  make_integrator(kind, scene_)->make_worker()->radiance({&traced, 1}, scene_.around(ray.origin), {&result, 1});
+  return result;
 }
 
 Ray RayQuery::unit(const Ray& ray) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/integrators/integrator.hpp"
 #include "renderer/render/camera_rays.hpp"
 
 #include <optional>
@@ -27,13 +27,7 @@ struct HitReport {
 /// Whole pictures are `render`'s, which gives the same values.
 class RayQuery {
 public:
-  /// Whose limits decide what is too near to be hit.
-  enum class Tolerances {
-    own,   ///< none: rays start beyond the rounding of the surface they leave
-    povray ///< hits from 1e-4 to 1e7, shadows from 1e-3 of the surface to 1e-3 of the light, in lengths of the scene
-  };
-
-  /// `threads` to build with, 0: one for each core. The description need not outlive the tracer. Throws std::bad_alloc
+  /// `threads` to build with, 0: one for each core. The description need not outlive the query. Throws std::bad_alloc
   /// or std::runtime_error when the acceleration structure cannot be built.
   explicit RayQuery(const scene::Scene& scene, int threads = 0);
 
@@ -47,7 +41,7 @@ public:
 
   /// The light that comes in along the ray, as the integrator computes it, before it is rounded for the film. The
   /// length of the ray's direction does not matter.
-  Color radiance(const Ray& ray, Tolerances tolerances = Tolerances::own) const;
+  Color radiance(const Ray& ray, IntegratorKind kind = IntegratorKind::whitted) const;
 
   /// The mean over the samples of a pixel, as the picture has it before it is rounded for the film.
   Color pixel(int x, int y) const {

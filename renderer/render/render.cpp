@@ -1,7 +1,7 @@
 #include "renderer/render/render.hpp"
 
 #include "renderer/compile/compiled_scene.hpp"
-#include "renderer/integrators/whitted.hpp"
+#include "renderer/integrators/integrator.hpp"
 #include "renderer/math/static_vector.hpp"
 #include "renderer/render/camera_rays.hpp"
 
@@ -10,6 +10,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <limits>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <thread>
@@ -25,7 +27,7 @@ double seconds_since(Clock::time_point start) {
 
 constexpr int tile_side = 16;
 constexpr int block_side = 4;
-static_assert(block_side * block_side <= bvh::packet_size);
+static_assert(block_side * block_side <= camera_batch_size);
 constexpr std::chrono::milliseconds progress_interval{100};
 
 Film make_film(const PixelRect& rect, bool layers) {
@@ -56,8 +58,9 @@ class Job {
 public:
   Job(const View& view, const CompiledScene& scene, const RenderOptions& options, const PixelRect& rect, Film& film)
       : scene_(scene), options_(options), rect_(rect), film_(film), camera_(view.camera, view.size),
-        around_eye_(scene.around(view.camera.at)), sampler_(view.samples),
-        columns_((rect.width() + tile_side - 1) / tile_side), rows_((rect.height() + tile_side - 1) / tile_side) {}
+        integrator_(make_integrator(IntegratorKind::whitted, scene)), around_eye_(scene.around(view.camera.at)),
+        sampler_(view.samples), columns_((rect.width() + tile_side - 1) / tile_side),
+        rows_((rect.height() + tile_side - 1) / tile_side) {}
 
   /// What one thread does: takes tiles until none are left or it is told to stop.
   void work() noexcept {
@@ -65,7 +68,7 @@ public:
       Worker worker(*this);
       worker.run();
       const std::lock_guard lock(mutex_);
-      add(worker.counts());
+      counts_ += worker.counts();
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!error_) error_ = std::current_exception();
@@ -92,25 +95,22 @@ public:
 private:
   class Worker {
   public:
-    explicit Worker(Job& job) : job_(job), whitted_(job.scene_, recorder_, job.options_.stop) {}
+    explicit Worker(Job& job) : job_(job), tracer_(job.integrator_->make_worker(job.options_.stop)) {}
 
     void run() {
       while (!job_.is_stopped()) {
         const int tile = job_.next_tile_++;
         if (tile >= job_.columns_ * job_.rows_) return;
-        if (!trace_tile(job_.tile_rect(tile))) return;
-        ++job_.finished_tiles_;
-        const std::uint64_t rays = total(counts());
+        const PixelRect rect = job_.tile_rect(tile);
+        if (!trace_tile(rect)) return;
+        const std::uint64_t rays = counts().total();
         job_.rays_ += rays - reported_;
         reported_ = rays;
+        job_.finish(rect);
       }
     }
 
-    RayCounts counts() const {
-      RayCounts all = whitted_.counts();
-      all.camera = camera_rays_;
-      return all;
-    }
+    const RayCounts& counts() const { return tracer_->counts(); }
 
   private:
     // Block by block, so that the rays of a packet run close together.
@@ -126,9 +126,9 @@ private:
     // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
     bool trace_block(const PixelRect& block) {
       const Sampler& sampler = job_.sampler_;
-      std::array<Color, bvh::packet_size> sums{}, values;
+      std::array<Color, camera_batch_size> sums{}, values;
       for (int sample = 0; sample < sampler.samples(); ++sample) {
-        StaticVector<Ray, bvh::packet_size> rays;
+        StaticVector<Ray, camera_batch_size> rays;
         for_each_pixel(block, [&](int x, int y, std::size_t) {
           rays.add([&] { return job_.camera_.ray({x, y}, sampler, sample); });
         });
@@ -152,11 +152,10 @@ private:
     }
 
     void trace_rays(std::span<const Ray> rays, std::span<Color> values) {
-      camera_rays_ += rays.size();
       if (job_.camera_.has_one_eye() || !job_.scene_.uses_ior())
-        return whitted_.radiance(rays, job_.around_eye_, values);
+        return tracer_->radiance(rays, job_.around_eye_, values);
       for (std::size_t i = 0; i < rays.size(); ++i)
-        values[i] = whitted_.radiance(rays[i], job_.scene_.around(rays[i].origin));
+        tracer_->radiance(rays.subspan(i, 1), job_.scene_.around(rays[i].origin), values.subspan(i, 1));
     }
 
     void trace_layers(const Ray& ray, std::size_t index) {
@@ -172,13 +171,9 @@ private:
       job_.film_.albedo[index] = to_single(job_.scene_.values(surface, values).color);
     }
 
-    static std::uint64_t total(const RayCounts& c) { return c.camera + c.shadow + c.reflected + c.refracted; }
-
     Job& job_;
-    NoRecorder recorder_;
-    Whitted<> whitted_;
+    std::unique_ptr<Integrator::Worker> tracer_;
     TraceScratch scratch_;
-    std::uint64_t camera_rays_ = 0;
     std::uint64_t reported_ = 0;
   };
 
@@ -191,11 +186,11 @@ private:
     return {x, y, std::min(x + tile_side, rect_.x1), std::min(y + tile_side, rect_.y1)};
   }
 
-  void add(const RayCounts& c) {
-    counts_.camera += c.camera;
-    counts_.shadow += c.shadow;
-    counts_.reflected += c.reflected;
-    counts_.refracted += c.refracted;
+  void finish(const PixelRect& tile) {
+    ++finished_tiles_;
+    if (!options_.on_tile) return;
+    const std::lock_guard lock(tile_mutex_);
+    options_.on_tile(film_, {tile.x0 - rect_.x0, tile.y0 - rect_.y0, tile.x1 - rect_.x0, tile.y1 - rect_.y0});
   }
 
   void report(std::unique_lock<std::mutex>& lock, Clock::time_point start) {
@@ -211,6 +206,7 @@ private:
   PixelRect rect_;
   Film& film_;
   CameraRays camera_;
+  std::unique_ptr<const Integrator> integrator_;
   std::vector<Medium> around_eye_;
   Sampler sampler_;
   int columns_, rows_;
@@ -218,7 +214,8 @@ private:
   std::atomic<std::uint64_t> rays_ = 0;
   std::atomic<bool> failed_ = false;
 
-  std::mutex mutex_; // guards what follows
+  std::mutex tile_mutex_; // held while a tile is shown
+  std::mutex mutex_;      // guards what follows
   std::condition_variable wake_;
   int finished_workers_ = 0;
   RayCounts counts_;
@@ -257,10 +254,7 @@ Rendered render(const CompiledScene& scene, const View& view, const RenderOption
   }
   job.rethrow();
   statistics.trace_seconds = seconds_since(trace_start);
-  statistics.camera_rays = job.counts().camera;
-  statistics.shadow_rays = job.counts().shadow;
-  statistics.reflected_rays = job.counts().reflected;
-  statistics.refracted_rays = job.counts().refracted;
+  statistics.rays = job.counts();
   result.is_complete = job.is_complete();
   return result;
 }

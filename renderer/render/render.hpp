@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/ray_counts.hpp"
 #include "renderer/render/film.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -23,11 +24,14 @@ struct RenderOptions {
   bool layers = false;                     ///< fill the film's layers
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
+  /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and
+  /// others may be written meanwhile. The rectangle is the film's, also where that is a crop.
+  std::function<void(const Film&, const PixelRect&)> on_tile;
 };
 
 struct RenderStatistics {
   std::uint64_t primitives = 0;
-  std::uint64_t camera_rays = 0, shadow_rays = 0, reflected_rays = 0, refracted_rays = 0;
+  RayCounts rays;
   double build_seconds = 0; ///< compiling the description and building the acceleration structure
   double trace_seconds = 0;
   int threads = 0;

@@ -34,8 +34,8 @@ private:
     add(Contribution::Kind::ambient, weight * s.ambient, &s);
     add(Contribution::Kind::emission, weight * s.emission, &s);
     for (const LightNode& light : s.lights) {
-      add(Contribution::Kind::diffuse, weight * light.record.diffuse, &s, light.record.light);
-      add(Contribution::Kind::highlight, weight * light.record.highlight, &s, light.record.light);
+      add(Contribution::Kind::diffuse, weight * light.record.reflected.diffuse, &s, light.record.light);
+      add(Contribution::Kind::highlight, weight * light.record.reflected.highlight, &s, light.record.light);
     }
     using enum WayStep::How;
     if (s.mirror) branch(s, s.mirror->ray.get(), weight * s.mirror->rho, mirrored);

@@ -5,8 +5,6 @@
 namespace rt::tools::explain {
 namespace {
 
-using Integrator = Whitted<>;
-
 class Recorder {
 public:
   Recorder(const CompiledScene& scene, std::size_t most_surfaces) : scene_(scene), surfaces_left_(most_surfaces) {}
@@ -74,10 +72,8 @@ public:
     if (!is_told()) return;
     SurfaceNode& s = last();
     s.transition = PassageNode{tau, transition, cosine, cosine_behind, nullptr};
-    // Needed only if the ray goes on unbent: it leaves the surface as a shadow ray in its direction would.
-    LightSample onward{};
-    onward.to_light = s.ray.direction;
-    next_ = Integrator::shadow_ray(s.surface, onward);
+    // Needed only if the ray goes on unbent.
+    next_ = OwnRules::leave(s.surface, s.ray.direction);
     passed_.back() = s.passed * tau;
   }
 
@@ -107,9 +103,9 @@ private:
   }
 
   std::vector<InTheWay> in_the_way(const LightRecord& record, const Surface& surface) const {
-    const Ray ray = Integrator::shadow_ray(surface, record.sample);
+    const Ray ray = OwnRules::leave(surface, record.sample.to_light);
     std::vector<InTheWay> found;
-    for (const RayHit& hit : scene_.all_hits(ray, Integrator::shadow_range(record.sample))) {
+    for (const RayHit& hit : scene_.all_hits(ray, OwnRules::shadow_range(record.sample.distance))) {
       if (!scene_.casts_shadow(hit)) continue;
       MaterialValues scratch;
       const MaterialValues& v = scene_.values(scene_.surface(ray, hit), scratch);
@@ -130,14 +126,14 @@ private:
 
 Color SurfaceNode::shading() const {
   Color sum = ambient + emission;
-  for (const LightNode& light : lights) sum += light.record.diffuse + light.record.highlight;
+  for (const LightNode& light : lights) sum += light.record.reflected.sum();
   return sum;
 }
 
 std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces) {
   Recorder recorder(query.scene(), most_surfaces);
-  Whitted<OwnTolerances, Recorder> integrator(query.scene(), recorder);
-  integrator.radiance(RayQuery::unit(ray), query.scene().around(ray.origin));
+  Whitted<OwnRules, Recorder> whitted(query.scene(), recorder);
+  whitted.radiance(RayQuery::unit(ray), query.scene().around(ray.origin));
   return std::move(recorder.root);
 }
 

@@ -149,7 +149,7 @@ private:
     j["fade"] = to_json(r.sample.fade);
     j["cone"] = to_json(r.sample.spot);
     j["n_dot_l"] = to_json(r.cos_light);
-    j["highlight_cosine"] = to_json(r.cos_highlight);
+    j["highlight_cosine"] = to_json(r.reflected.cos_highlight);
     j["filter"] = to_json(r.filter);
     json in_the_way = json::array();
     for (const InTheWay& w : node.in_the_way)
@@ -157,8 +157,8 @@ private:
                             {"distance", w.distance},
                             {"lets_by", to_json(w.transmittance)}});
     j["in_the_way"] = std::move(in_the_way);
-    j["diffuse"] = to_json(r.diffuse);
-    j["highlight"] = to_json(r.highlight);
+    j["diffuse"] = to_json(r.reflected.diffuse);
+    j["highlight"] = to_json(r.reflected.highlight);
     return j;
   }
 

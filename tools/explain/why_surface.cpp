@@ -169,16 +169,17 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
                         light.fade.law != scene::Fade::Law::none && light.kind != Light::Kind::sun ? "·fade" : "",
                         light.kind == Light::Kind::spot ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
                         color_text(arriving)));
-  page.line(indent + 2, fmt::format("diffuse = C_L·a·c·{}·(n·l) = {}", color_text(m.diffuse), color_text(r.diffuse)));
+  page.line(indent + 2,
+            fmt::format("diffuse = C_L·a·c·{}·(n·l) = {}", color_text(m.diffuse), color_text(r.reflected.diffuse)));
   if (m.specular == 0) return;
   if (!light.shadows) return page.line(indent + 2, "no highlight: a light without shadows gives none");
   const bool is_blinn = m.highlight == scene::Highlight::blinn;
-  const std::string cosine = cosine_text(is_blinn ? "n·h" : "r·l", r.cos_highlight);
-  if (!(r.cos_highlight > 0)) return page.line(indent + 2, fmt::format("no highlight: {}", cosine));
-  page.line(indent + 2,
-            fmt::format("{}, highlight = C_L·{}·({})^{}{} = {}", cosine, number_text(m.specular),
-                        is_blinn ? "n·h" : "r·l", number_text(m.shininess),
-                        m.metallic != 0 ? "·M with M = " + color_text(r.tint) : "", color_text(r.highlight)));
+  const std::string cosine = cosine_text(is_blinn ? "n·h" : "r·l", r.reflected.cos_highlight);
+  if (!(r.reflected.cos_highlight > 0)) return page.line(indent + 2, fmt::format("no highlight: {}", cosine));
+  page.line(indent + 2, fmt::format("{}, highlight = C_L·{}·({})^{}{} = {}", cosine, number_text(m.specular),
+                                    is_blinn ? "n·h" : "r·l", number_text(m.shininess),
+                                    m.metallic != 0 ? "·M with M = " + color_text(r.reflected.tint) : "",
+                                    color_text(r.reflected.highlight)));
 }
 
 void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {

@@ -45,7 +45,7 @@ std::string seconds(double value) {
 } // namespace
 
 std::uint64_t count_rays(const RenderStatistics& s) {
-  return s.camera_rays + s.shadow_rays + s.reflected_rays + s.refracted_rays;
+  return s.rays.total();
 }
 
 std::string summary(const RunStatistics& s) {
@@ -69,7 +69,7 @@ std::string table(const RunStatistics& s) {
                   counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
   row("rays",
       fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
-                  count(r.camera_rays), count(r.shadow_rays), count(r.reflected_rays), count(r.refracted_rays)));
+                  count(r.rays.camera), count(r.rays.shadow), count(r.rays.reflected), count(r.rays.refracted)));
   row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)),
                            counted(static_cast<std::uint64_t>(r.threads), "thread")));
   row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({} of text, {} steps)", seconds(s.load_seconds),
@@ -97,10 +97,10 @@ std::string json(const RunStatistics& s) {
   j["is_complete"] = s.is_complete;
   j["primitives"] = r.primitives;
   j["threads"] = r.threads;
-  j["rays"] = {{"camera", r.camera_rays},
-               {"shadow", r.shadow_rays},
-               {"reflected", r.reflected_rays},
-               {"refracted", r.refracted_rays},
+  j["rays"] = {{"camera", r.rays.camera},
+               {"shadow", r.rays.shadow},
+               {"reflected", r.rays.reflected},
+               {"refracted", r.rays.refracted},
                {"total", count_rays(r)}};
   j["rays_per_second"] = rays_per_second(r);
   j["source_bytes"] = s.load.bytes;

@@ -29,7 +29,7 @@ struct RayList : NoRecorder {
 RayList rays_of(const Kit& k, const Vec3& origin, const Vec3& direction) {
   const CompiledScene compiled(k.scene, 1);
   RayList list;
-  Whitted<OwnTolerances, RayList>(compiled, list).radiance({origin, normalize(direction)}, compiled.around(origin));
+  Whitted<OwnRules, RayList>(compiled, list).radiance({origin, normalize(direction)}, compiled.around(origin));
   return list;
 }
 
@@ -291,7 +291,7 @@ TEST_CASE("whitted: recording changes nothing") {
   NoRecorder none;
   RayList list;
   Whitted<> plain(compiled, none);
-  Whitted<OwnTolerances, RayList> recorded(compiled, list);
+  Whitted<OwnRules, RayList> recorded(compiled, list);
   for (int i = 0; i < 100; ++i) {
     const Ray ray{{2, 1, 6}, normalize(Vec3{-2.5 + 0.05 * i, -1, -6})};
     CHECK(plain.radiance(ray, {}) == recorded.radiance(ray, {}));

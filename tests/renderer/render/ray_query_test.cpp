@@ -40,11 +40,11 @@ TEST_CASE("tracer: POV-Ray's limits hide what is nearer than 1e-4") {
   const RayQuery query(k.scene);
   const Ray ray{{0, 0, 0}, {0, 0, -3}};
   CHECK(query.radiance(ray) == white);
-  CHECK(query.radiance(ray, RayQuery::Tolerances::povray) == grey(0.25));
+  CHECK(query.radiance(ray, IntegratorKind::whitted_povray) == grey(0.25));
 }
 
 TEST_CASE("tracer: POV-Ray's shadows begin 1e-3 from the surface and end as far from the lamp") {
-  using enum RayQuery::Tolerances;
+  using enum IntegratorKind;
   for (const auto& [height, is_shadow_of_povray] : {std::pair{0.8e-3, false}, {2e-3, true}, {0.9985, false}}) {
     Kit k;
     k.add(k.plane({0, 1, 0}, 0));
@@ -55,7 +55,7 @@ TEST_CASE("tracer: POV-Ray's shadows begin 1e-3 from the surface and end as far 
     const RayQuery query(k.scene);
     const Ray slanted{{0.3, 0.3, 0}, {-0.3, -0.3, 0}};
     // Ours is in shadow in every case: diffuse 0.8 is left where POV-Ray sees light.
-    CHECK(query.radiance(slanted, own).r == 0);
-    CHECK(query.radiance(slanted, povray).r == Approx(is_shadow_of_povray ? 0 : 0.8));
+    CHECK(query.radiance(slanted, whitted).r == 0);
+    CHECK(query.radiance(slanted, whitted_povray).r == Approx(is_shadow_of_povray ? 0 : 0.8));
   }
 }

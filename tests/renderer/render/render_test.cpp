@@ -120,3 +120,51 @@ TEST_CASE("render: a stop ends even a pixel that would take for ever") {
   CHECK_FALSE(render(s, options).is_complete);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
 }
+
+TEST_CASE("render: each tile is shown once, with its values in it") {
+  scene::Scene s = sphere_on_plane();
+  RenderOptions options;
+  options.threads = 3;
+  options.crop = PixelRect{5, 7, 60, 46};
+  std::vector<int> shown(std::size_t{55 * 39}, 0);
+  std::vector<Rgb32> seen(shown.size());
+  options.on_tile = [&](const Film& film, const PixelRect& tile) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        ++shown[film.index(x, y)];
+        seen[film.index(x, y)] = film.color[film.index(x, y)];
+      }
+  };
+  const Film film = render(s, options).film;
+  CHECK(std::all_of(shown.begin(), shown.end(), [](int times) { return times == 1; }));
+  CHECK(std::equal(seen.begin(), seen.end(), film.color.begin(), film.color.end(),
+                   [](const Rgb32& a, const Rgb32& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }));
+}
+
+TEST_CASE("render: no tile is shown of a picture that was stopped before it began") {
+  const std::atomic<bool> stop = true;
+  RenderOptions options;
+  options.stop = &stop;
+  int tiles = 0;
+  options.on_tile = [&](const Film&, const PixelRect&) { ++tiles; };
+  render(sphere_on_plane(), options);
+  CHECK(tiles == 0);
+}
+
+TEST_CASE("render: what a tile's sink throws ends the picture") {
+  RenderOptions options;
+  options.on_tile = [](const Film&, const PixelRect&) { throw std::runtime_error("no room"); };
+  CHECK_THROWS_WITH(render(sphere_on_plane(), options), "no room");
+}
+
+TEST_CASE("render: one ray for each sample is counted, and one to the light for each lit surface at least") {
+  scene::Scene s = sphere_on_plane();
+  s.samples = 4;
+  const RayCounts rays = render(s, {}).statistics.rays;
+  CHECK(rays.camera == 64 * 48 * 4);
+  CHECK(rays.shadow > 0);
+  CHECK(rays.shadow <= rays.camera);
+  CHECK(rays.reflected == 0);
+  CHECK(rays.refracted == 0);
+  CHECK(rays.total() == rays.camera + rays.shadow);
+}

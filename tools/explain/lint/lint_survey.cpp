@@ -72,8 +72,8 @@ struct Listener : NoRecorder {
   }
 
   void find_blocker(const LightRecord& record, const Surface& surface, LightTally& tally) const {
-    for (const HitReport& hit : context.query.all_hits(Whitted<>::shadow_ray(surface, record.sample),
-                                                       Whitted<>::shadow_range(record.sample))) {
+    for (const HitReport& hit : context.query.all_hits(OwnRules::leave(surface, record.sample.to_light),
+                                                       OwnRules::shadow_range(record.sample.distance))) {
       if (hit.material.refract > 0) continue;
       ++tally.blockers[line_of(objects_on(context.scene, hit.path).back()->origin)];
       return;
@@ -177,7 +177,7 @@ public:
     const auto [width, height] = context_.scene.size;
     const CompiledScene& scene = context_.query.scene();
     Listener listener(context_, survey);
-    Whitted<OwnTolerances, Listener> whitted(scene, listener);
+    Whitted<OwnRules, Listener> whitted(scene, listener);
     TraceScratch scratch;
     const int y = static_cast<int>((row + 0.5) * height / rows);
     for (int column = 0; column < columns; ++column) {

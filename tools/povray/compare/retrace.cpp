@@ -35,7 +35,7 @@ const RayQuery& Retracer::query() {
 template <class Turn>
 Rgb32 Retracer::color(int x, int y, Turn&& turn) {
   const Color c =
-      query().pixel(x, y, [&](const Ray& ray) { return query().radiance(turn(ray), RayQuery::Tolerances::povray); });
+      query().pixel(x, y, [&](const Ray& ray) { return query().radiance(turn(ray), IntegratorKind::whitted_povray); });
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 

@@ -1,0 +1,262 @@
+#pragma once
+
+#include "renderer/integrators/integrator.hpp"
+#include "renderer/integrators/interaction.hpp"
+#include "renderer/math/static_vector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// Follows rays through a `Model` of light, which says what happens to one of them at one surface. One object traces
+/// for one thread.
+///
+/// Rays that run close together are traced in batches: all find what they hit, then all look for the lights, then all
+/// are mirrored, and so on, as long as they stay together. What one of them sees does not depend on its company.
+template <class Model>
+class BatchTracer {
+public:
+  using Recorder = typename Model::Recorder;
+
+  /// All must outlive the tracer. Once `stop` is set, every ray ends at once, and results mean nothing any more.
+  BatchTracer(const CompiledScene& scene, Recorder& recorder, const std::atomic<bool>* stop = nullptr)
+      : scene_(scene), model_(scene, recorder), stop_(stop) {}
+
+  /// The light that comes in along `ray` (unit direction), which starts inside of these solids:
+  /// `CompiledScene::around`.
+  Color radiance(const Ray& ray, const std::vector<Medium>& inside) {
+    StaticVector<PathState, 1> path;
+    start(path, ray, inside);
+    trace<1>(path, 0);
+    return path[0].sum;
+  }
+
+  /// The same for rays that run close together, `camera_batch_size` at most: sooner, with the same results. Recorders
+  /// hear of it as of one ray after the other.
+  void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) {
+    if (Model::is_recorded || rays.size() < least_batch) {
+      for (std::size_t i = 0; i < rays.size(); ++i) results[i] = radiance(rays[i], inside);
+    } else {
+      StaticVector<PathState, camera_batch_size> paths;
+      for (const Ray& ray : rays) start(paths, ray, inside);
+      trace<camera_batch_size>(paths, 0);
+      for (std::size_t i = 0; i < rays.size(); ++i) results[i] = paths[i].sum;
+    }
+  }
+
+  const RayCounts& counts() const { return counts_; }
+
+private:
+  using Rules = typename Model::Rules;
+
+  // Fewer rays go one by one, and so do those that are deeper: a batch's levels take room on the stack.
+  static constexpr std::size_t least_batch = 4;
+  static constexpr int deepest_batch = 8;
+  // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
+  static constexpr int max_crossings = 1 << 20;
+
+  // Rays that leave a batch's surfaces in the same way, and where each comes from.
+  template <std::size_t Size>
+  struct RayBatch {
+    StaticVector<PathState, Size> paths;
+    std::array<const Scattering*, Size> from;
+  };
+
+  template <std::size_t Size>
+  void start(StaticVector<PathState, Size>& paths, const Ray& ray, const std::vector<Medium>& inside) {
+    ++counts_.camera;
+    MediumStacks& media = stacks_[paths.size()];
+    media.release(0);
+    paths.add([&] { return PathState{RayKind::camera, ray, media.make(inside), &media}; });
+  }
+
+  // Gathers what comes in along the paths, which are of one depth.
+  template <std::size_t Size>
+  void trace(std::span<PathState> paths, int depth) {
+    for (PathState& path : paths) {
+      model_.begin(path, depth);
+      path.owned_from = path.media->mark();
+    }
+    if (depth > scene_.max_depth())
+      for (std::size_t i = 0; i < paths.size(); ++i) model_.cut_off();
+    else
+      follow<Size>(paths, depth);
+    for (PathState& path : paths) {
+      path.media->release(path.owned_from);
+      model_.end(path);
+    }
+  }
+
+  template <std::size_t Size>
+  void follow(std::span<PathState> paths, int depth) {
+    std::array<PathState*, Size> going; // at first all, then those that cross surfaces unbent
+    std::size_t count = paths.size();
+    for (std::size_t i = 0; i < count; ++i) going[i] = &paths[i];
+    for (int crossings = 0; count > 0 && crossings < max_crossings && !is_stopped(); ++crossings) {
+      StaticVector<Interaction, Size> interactions;
+      intersect(std::span(going).first(count), interactions);
+      const bool is_together = stays_together(interactions);
+      shade(interactions, is_together);
+      count = continue_batch(interactions, is_together, depth, going);
+    }
+  }
+
+  bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
+
+  // Finds what the paths meet; those that meet nothing end.
+  template <std::size_t Size>
+  void intersect(std::span<PathState* const> paths, StaticVector<Interaction, Size>& interactions) {
+    StaticVector<RayHit, Size> hits;
+    if (Size > 1 && paths.size() >= least_batch) {
+      StaticVector<Ray, Size> rays;
+      for (const PathState* path : paths) rays.add([&] { return path->ray; }), hits.add([] { return RayHit{}; });
+      scene_.nearest(rays, Rules::hit_range(), hits, scratch_[0]);
+    } else {
+      for (const PathState* path : paths)
+        hits.add([&] { return scene_.nearest(path->ray, Rules::hit_range(), scratch_[0]); });
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      PathState& path = *paths[i];
+      if (hits[i]) {
+        MaterialValues& values = values_[interactions.size()];
+        Interaction& m = interactions.add([&] {
+          return Interaction{&path, hits[i].t, scene_.surface(path.ray, hits[i])};
+        });
+        model_.arrive(m, hits[i], scene_.values(m.surface, values));
+      } else {
+        model_.escape(path);
+      }
+    }
+  }
+
+  // Whether the rays of a batch are still close to one another where they meet surfaces. It decides about speed alone.
+  template <std::size_t Size>
+  static bool stays_together(const StaticVector<Interaction, Size>& interactions) {
+    if (interactions.size() < least_batch) return false;
+    double least = interactions[0].t, most = least;
+    for (const Interaction& m : interactions) least = std::min(least, m.t), most = std::max(most, m.t);
+    return most - least < least * 0.05;
+  }
+
+  // The surfaces' own light, and what the lights give.
+  template <std::size_t Size>
+  void shade(StaticVector<Interaction, Size>& interactions, bool is_together) {
+    for (Interaction& m : interactions) model_.add_own_light(m);
+    for (std::uint32_t index = 0; index < scene_.lights().size(); ++index) {
+      const Light& light = scene_.lights()[index];
+      StaticVector<DirectLight, Size> direct;
+      for (const Interaction& m : interactions) {
+        DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, m.surface.point)}; });
+        d.cos_light = dot(m.normal, d.sample.to_light);
+      }
+      if (light.shadows) cast_shadows(interactions, direct, is_together);
+      for (std::size_t i = 0; i < interactions.size(); ++i) model_.add_direct_light(interactions[i], direct[i], index);
+    }
+    for (const Interaction& m : interactions) m.path->sum += m.path->passed * m.light;
+  }
+
+  template <std::size_t Size>
+  void cast_shadows(const StaticVector<Interaction, Size>& interactions, StaticVector<DirectLight, Size>& direct,
+                    bool is_together) {
+    StaticVector<ShadowRay, Size> rays;
+    for (std::size_t i = 0; i < interactions.size(); ++i) {
+      DirectLight& d = direct[i];
+      if (d.is_facing())
+        rays.add([&] {
+          return ShadowRay{Rules::leave(interactions[i].surface, d.sample.to_light),
+                           Rules::shadow_range(d.sample.distance), &d.transmittance};
+        });
+    }
+    counts_.shadow += rays.size();
+    if (Size > 1 && is_together && rays.size() >= least_batch)
+      Rules::transmit(scene_, rays, scratch_);
+    else
+      for (const ShadowRay& ray : rays) Rules::transmit(scene_, std::span(&ray, 1), scratch_);
+  }
+
+  // Adds what comes in by mirrored rays, and by refracted ones where they are bent. `going` becomes the paths that go
+  // on unbent, behind the surfaces; the result is their number.
+  template <std::size_t Size>
+  std::size_t continue_batch(const StaticVector<Interaction, Size>& interactions, bool is_together, int depth,
+                             std::array<PathState*, Size>& going) {
+    StaticVector<Scattering, Size> scatterings;
+    for (const Interaction& m : interactions)
+      if (Model::is_scattering(m)) scatterings.add([&] { return model_.scatter(m); });
+    if (scatterings.size() == 0) return 0;
+
+    RayBatch<Size> mirrored;
+    for (const Scattering& s : scatterings)
+      if (s.terms.rho != black) mirror(s, mirrored);
+    trace_batch(mirrored, is_together, depth + 1);
+    for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
+      const Scattering& s = *mirrored.from[i];
+      s.at->path->sum += s.at->path->passed * s.terms.rho * mirrored.paths[i].sum;
+    }
+
+    RayBatch<Size> refracted;
+    std::size_t count = 0;
+    for (const Scattering& s : scatterings)
+      if (model_.transmits(s) && transmit(s, depth, refracted)) going[count++] = s.at->path;
+    trace_batch(refracted, is_together, depth + 1);
+    for (std::size_t i = 0; i < refracted.paths.size(); ++i) {
+      const Scattering& s = *refracted.from[i];
+      s.at->path->sum += s.at->path->passed * s.terms.tau * refracted.paths[i].sum;
+    }
+    return count;
+  }
+
+  template <std::size_t Size>
+  void trace_batch(RayBatch<Size>& batch, bool is_together, int depth) {
+    const std::span<PathState> paths(batch.paths);
+    if (Size > 1 && is_together && paths.size() >= least_batch && depth <= deepest_batch && run_alike(paths))
+      return trace<Size>(paths, depth);
+    for (PathState& path : paths) trace<1>(std::span(&path, 1), depth);
+  }
+
+  static bool run_alike(std::span<const PathState> paths) {
+    for (const PathState& path : paths.subspan(1))
+      if (dot(path.ray.direction, paths[0].ray.direction) < 0.9) return false;
+    return true;
+  }
+
+  template <std::size_t Size>
+  void mirror(const Scattering& s, RayBatch<Size>& batch) {
+    ++counts_.reflected;
+    add(batch, s.terms.is_total ? RayKind::total_reflection : RayKind::reflected, s, model_.mirror(s), s.terms.rho,
+        s.at->path->inside);
+  }
+
+  // True if the ray goes on unbent: then the path is the one behind the surface.
+  template <std::size_t Size>
+  bool transmit(const Scattering& s, int depth, RayBatch<Size>& batch) {
+    ++counts_.refracted;
+    const PathState& path = *s.at->path;
+    const MediumStacks::List behind = path.media->after(path.inside, s.medium, path.owned_from);
+    if (!s.terms.is_bent) return model_.transmit_straight(s, behind, depth);
+    add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
+    return false;
+  }
+
+  template <std::size_t Size>
+  static void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, const Ray& ray, const Color& weight,
+                  MediumStacks::List inside) {
+    const PathState& from = *s.at->path;
+    batch.from[batch.paths.size()] = &s;
+    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.media}; });
+    if constexpr (Model::is_recorded) path.weight = from.weight * from.passed * weight;
+  }
+
+  const CompiledScene& scene_;
+  Model model_;
+  const std::atomic<bool>* stop_;
+  std::array<MediumStacks, camera_batch_size> stacks_; // by the place of the camera's ray in its batch
+  std::array<TraceScratch, camera_batch_size> scratch_;
+  std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; they serve until rays branch
+  RayCounts counts_;
+};
+
+} // namespace rt

@@ -1,0 +1,20 @@
+#include "renderer/integrators/integrator.hpp"
+
+#include "renderer/integrators/whitted.hpp"
+
+#include <cassert>
+
+namespace rt {
+
+std::unique_ptr<const Integrator> make_integrator(IntegratorKind kind, const CompiledScene& scene) {
+  switch (kind) {
+  case IntegratorKind::whitted:
+    return make_whitted(scene);
+  case IntegratorKind::whitted_povray:
+    return make_whitted_povray(scene);
+  }
+  assert(false);
+  return nullptr;
+}
+
+} // namespace rt

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "renderer/compile/compiled_scene.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+/// What an integrator leaves open about rays at surfaces: our own rules, and POV-Ray's.
+namespace rt {
+
+/// Ours: a ray may find something anywhere, because its origin is moved off the surface by the bound of its own
+/// rounding.
+struct OwnRules {
+  /// Where a ray leaves a surface: beyond the rounding of the point, on the side it goes to.
+  static Ray leave(const Surface& surface, const Vec3& direction) {
+    const double side = dot(surface.geometric_normal, direction) < 0 ? -surface.offset : surface.offset;
+    return {surface.point + surface.geometric_normal * side, direction};
+  }
+
+  /// The range in which hits of a camera, mirrored or refracted ray count.
+  static constexpr Interval hit_range() { return {0, std::numeric_limits<double>::max()}; }
+  /// And of a ray to a light at this distance. It ends a rounding before the light, so that a light lying in a surface
+  /// shines.
+  static Interval shadow_range(double distance) {
+    return {0, std::min(distance * (1 - 0x1p-40), std::numeric_limits<double>::max())};
+  }
+
+  /// How a shadow ray's transmittance is followed: all that is in its range filters it, in any order. Several rays must
+  /// run close together.
+  static void transmit(const CompiledScene& scene, std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) {
+    if (rays.size() == 1)
+      *rays[0].transmittance = scene.transmittance(rays[0].ray, rays[0].range, scratch[0]);
+    else
+      scene.transmittance(rays, scratch);
+  }
+
+  /// How the ratio of two indices is rounded: not at all.
+  static double eta(const MediumTransition& transition, bool /*touches_void*/) { return transition.eta(); }
+};
+
+/// POV-Ray's, for explaining where its pictures differ from ours. Its distances are in lengths of the scene.
+struct PovrayRules {
+  /// Rays start on the surface, and what is too near is not hit.
+  static Ray leave(const Surface& surface, const Vec3& direction) { return {surface.point, direction}; }
+
+  static constexpr Interval hit_range() { return {1e-4, 1e7}; }
+  static Interval shadow_range(double distance) {
+    return {1e-3, std::min(distance - 1e-3, std::numeric_limits<double>::max())};
+  }
+
+  /// From surface to surface, each starting a new ray.
+  static void transmit(const CompiledScene& scene, std::span<const ShadowRay> rays, std::span<TraceScratch>) {
+    for (const ShadowRay& ray : rays)
+      *ray.transmittance = scene.transmittance_by_steps(ray.ray, ray.range.upper, ray.range.lower);
+  }
+
+  /// Between two solids in 32 bits, between a solid and the void in 64.
+  static double eta(const MediumTransition& transition, bool touches_void) {
+    return touches_void ? transition.eta() : static_cast<float>(transition.eta());
+  }
+};
+
+} // namespace rt

@@ -4,12 +4,18 @@
 
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 /// Which ray a question is about.
 namespace rt::tools::explain {
+
+/// A question that makes no sense; the message is for the user.
+struct QuestionError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// One of a pixel, a point of the picture, and a ray.
 struct Question {
@@ -19,15 +25,21 @@ struct Question {
   std::optional<Ray> ray;                  ///< as given: t counts the lengths of its direction
 };
 
-/// The ray and how it is called: "pixel (400, 300)". Throws UsageError where the question is about a place outside the
-/// picture, a ray without direction, or not exactly one thing.
+/// A question as it is written, in the options of a command.
+struct QuestionText {
+  std::string pixel, at;        ///< "400,300", "10.5,20.25"
+  int sample = -1;              ///< none
+  std::vector<std::string> ray; ///< origin and direction, "0,1.5,-2" each
+};
+/// Throws QuestionError for what is not a pixel, a point or a ray.
+Question parse(const QuestionText& text);
+
+/// The ray and how it is called: "pixel (400, 300)". Throws QuestionError where the question is about a place outside
+/// the picture, a ray without direction, or not exactly one thing.
 struct NamedRay {
   Ray ray;
   std::string name;
 };
 NamedRay resolve(const Question& question, const scene::Scene& scene, const CameraRays& camera);
-
-/// "400,300" and "0,1.5,-2": numbers between commas. Throws UsageError, naming the option.
-std::vector<double> numbers_of(const std::string& text, std::size_t count, std::string_view option);
 
 } // namespace rt::tools::explain

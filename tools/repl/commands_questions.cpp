@@ -2,10 +2,11 @@
 #include "lang/text/suggest.hpp"
 #include "lang/values/css_colors.hpp"
 #include "renderer/image/file.hpp"
+#include "tools/explain/lint/lint.hpp"
+#include "tools/live/povray.hpp"
 #include "tools/repl/commands.hpp"
+#include "tools/repl/options.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/rtlang/program.hpp"
-#include "tools/terminal/exit_code.hpp"
 #include "tools/terminal/swatch.hpp"
 #include "tools/terminal/terminal.hpp"
 #include "tools/terminal/wrap.hpp"
@@ -13,88 +14,166 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <system_error>
+#include <atomic>
+#include <exception>
+#include <new>
+#include <optional>
 
 namespace rt::tools {
 namespace {
 
-namespace fs = std::filesystem;
-
-// The document as a file, for as long as a subcommand of the program looks at it.
-class DocumentFile {
-public:
-  explicit DocumentFile(const lang::Session& session) {
-    std::string pattern = (fs::temp_directory_path() / "rtlang-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw std::system_error(errno, std::generic_category(), pattern);
-    folder_ = pattern;
-    replace_file(path(), session.formatted());
-  }
-  ~DocumentFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  DocumentFile(const DocumentFile&) = delete;
-  DocumentFile& operator=(const DocumentFile&) = delete;
-  std::string path() const { return (folder_ / "session.rtl").string(); }
-
-private:
-  fs::path folder_;
+// What a question is answered with.
+struct Reply {
+  std::string text;
+  bool is_fine = true;
 };
 
-// Asks what the command line's subcommand of that name answers.
-bool ask(Shell& shell, const std::string& subcommand, const std::vector<std::string>& arguments) {
-  try {
-    const DocumentFile document(shell.session());
-    std::vector<std::string> words{subcommand,    document.path(),         "--quiet", "--shown-as", "session",
-                                   "--seen-from", shell.session().folder()};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    const InterruptScope interrupt;
-    const int result = run_for_session(std::move(words));
-    if (interrupt.stop()) return shell.fail("stopped");
-    return result == exit_fine;
-  } catch (const std::system_error& error) {
-    return shell.fail(error.what());
-  }
+std::string without_notes(const live::Document& document, bool use_color) {
+  std::string text;
+  for (const lang::Diagnostic& d : document.diagnostics())
+    if (d.severity != lang::Severity::note) text += lang::render(d, document.sources(), use_color);
+  return text;
 }
 
-// X Y or X,Y, or the options that the subcommand takes.
-bool ask_about_pixel(Shell& shell, const std::string& subcommand, std::string_view arguments) {
-  std::vector<std::string> words = words_of(arguments);
-  if (words.empty()) return shell.fail(fmt::format("as in `:{} 400 300`, a pixel from the top left", subcommand));
-  const auto is_option = [&words](std::size_t i) { return i >= words.size() || words[i].starts_with('-'); };
-  if (!is_option(0)) {
-    if (!is_option(1)) {
-      words[0] += (words[0].ends_with(',') ? "" : ",") + words[1];
-      words.erase(words.begin() + 1);
+// Asks about the document as it would be saved; `ask` may take long, until `stop`. Nothing where an answer cannot be
+// had, which has been reported.
+template <class Ask>
+std::optional<Reply> reply_of(Shell& shell, const live::PictureSettings& settings, const Ask& ask) {
+  const InterruptScope interrupt;
+  std::string problem;
+  try {
+    live::Document& document = shell.scene().document(settings);
+    if (const std::string text = without_notes(document, shell.output().uses_color); !text.empty())
+      shell.output().complain(text);
+    if (document.has_scene()) {
+      Reply reply = ask(document, interrupt.stop());
+      if (!interrupt.stop()) return reply;
     }
-    words.insert(words.begin(), "--pixel");
+  } catch (const std::bad_alloc&) {
+    problem = "there is not enough memory";
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  return ask(shell, subcommand, words);
+  if (interrupt.stop()) problem = "stopped";
+  if (!problem.empty()) shell.fail(problem);
+  return std::nullopt;
+}
+
+template <class Ask>
+bool answer(Shell& shell, const live::PictureSettings& settings, const Ask& ask) {
+  const std::optional<Reply> reply = reply_of(shell, settings, ask);
+  if (!reply) return false;
+  shell.print(reply->text);
+  return reply->is_fine;
+}
+
+// The options and the question of a command about a pixel: X Y or X,Y, or --at, or --ray.
+struct PixelQuestion {
+  live::PictureSettings settings;
+  explain::QuestionText question;
+  std::string problem;
+};
+
+PixelQuestion pixel_question(std::string_view command, std::string_view arguments, std::vector<CommandOption> options) {
+  PixelQuestion q;
+  std::vector<std::string> words = words_of(arguments);
+  if (words.empty()) return {{}, {}, fmt::format("as in `:{} 400 300`, a pixel from the top left", command)};
+  const std::vector<CommandOption> own{{"pixel", &q.question.pixel},
+                                       {"sample", &q.question.sample},
+                                       {"at", &q.question.at},
+                                       {"ray", &q.question.ray, 2}};
+  options.insert(options.end(), own.begin(), own.end());
+  const std::vector<CommandOption> picture = picture_options(q.settings);
+  options.insert(options.end(), picture.begin(), picture.end());
+  q.problem = take_options(words, options);
+  if (!q.problem.empty() || words.empty()) return q;
+  if (words.size() > 2) q.problem = fmt::format("`{}` is one argument too many", words[2]);
+  q.question.pixel = words[0];
+  if (words.size() == 2) q.question.pixel += (words[0].ends_with(',') ? "" : ",") + words[1];
+  return q;
 }
 
 bool probe(Shell& shell, std::string_view arguments) {
-  return ask_about_pixel(shell, "probe", arguments);
+  live::ProbeOptions options;
+  const PixelQuestion q = pixel_question("probe", arguments, {{"all", &options.all}, {"json", &options.as_json}});
+  if (!q.problem.empty()) return shell.fail(q.problem);
+  return answer(shell, q.settings, [&](live::Document& document, const std::atomic<bool>&) {
+    return Reply{document.probe(explain::parse(q.question), options)};
+  });
 }
+
 bool why(Shell& shell, std::string_view arguments) {
-  return ask_about_pixel(shell, "why", arguments);
+  live::WhyOptions options;
+  const PixelQuestion q = pixel_question("why", arguments, {{"depth", &options.depth}, {"json", &options.as_json}});
+  if (!q.problem.empty()) return shell.fail(q.problem);
+  return answer(shell, q.settings, [&](live::Document& document, const std::atomic<bool>&) {
+    return Reply{document.why(explain::parse(q.question), options)};
+  });
 }
+
+// Takes all of a command's arguments for options; true if they are, else it has been reported.
+bool read_options(Shell& shell, std::string_view arguments, std::vector<CommandOption> options,
+                  live::PictureSettings& settings) {
+  const std::vector<CommandOption> picture = picture_options(settings);
+  options.insert(options.end(), picture.begin(), picture.end());
+  std::vector<std::string> words = words_of(arguments);
+  const std::string problem = take_options(words, options);
+  if (!problem.empty()) return shell.fail(problem);
+  return words.empty() || shell.fail(fmt::format("`{}` is one argument too many", words.front()));
+}
+
 bool lint(Shell& shell, std::string_view arguments) {
-  return ask(shell, "lint", words_of(arguments));
+  live::PictureSettings settings;
+  explain::LintOptions options;
+  bool as_json = false, is_strict = false;
+  if (!read_options(shell, arguments, {{"allow", &options.allowed}, {"json", &as_json}, {"strict", &is_strict}},
+                    settings))
+    return false;
+  return answer(shell, settings, [&](const live::Document& document, const std::atomic<bool>& stop) {
+    explain::require_rules(options.allowed);
+    options.stop = &stop;
+    const std::vector<lang::Diagnostic> warnings = document.lint(options);
+    return Reply{as_json ? lang::render_json(warnings, document.sources()) + '\n'
+                         : explain::lint_text(warnings, document.sources(), shell.output().uses_color),
+                 !is_strict || warnings.empty()};
+  });
 }
+
 bool check(Shell& shell, std::string_view arguments) {
-  return ask(shell, "check", words_of(arguments));
+  live::PictureSettings settings;
+  std::string page;
+  bool as_json = false;
+  if (!read_options(shell, arguments, {{"report", &page}, {"json", &as_json}}, settings)) return false;
+  return answer(shell, settings, [&](live::Document& document, const std::atomic<bool>& stop) {
+    if (!page.empty()) require_writable(page);
+    live::CheckOptions options;
+    options.stop = &stop;
+    const auto check = live::check(document, options);
+    if (!check) return Reply{};
+    if (!page.empty()) replace_file(page, povray::report_html(check->report));
+    return Reply{as_json ? povray::report_json(check->report) : povray::report_text(check->report),
+                 check->report.holds()};
+  });
 }
 
 bool export_scene(Shell& shell, std::string_view arguments) {
+  live::PictureSettings settings;
+  bool has_no_comments = false;
+  std::vector<CommandOption> options = picture_options(settings);
+  options.push_back({"no-comments", &has_no_comments});
   std::vector<std::string> words = words_of(arguments);
-  if (words.size() < 2 || words[0] != "pov") return shell.fail("as in `:export pov scene.pov`");
-  words[0] = "-o";
-  if (!ask(shell, "export", words)) return false;
-  shell.print(dim(fmt::format("written to {}", words[1]), shell.output().uses_color) + "\n");
-  return true;
+  const std::string problem = take_options(words, options);
+  if (!problem.empty()) return shell.fail(problem);
+  if (words.size() != 2 || words[0] != "pov") return shell.fail("as in `:export pov scene.pov`");
+  return answer(shell, settings, [&](const live::Document& document, const std::atomic<bool>&) {
+    const live::PovrayExport exported = live::export_povray(document, !has_no_comments);
+    if (!exported.problems.empty()) {
+      shell.output().complain(exported.problems);
+      return Reply{"", false};
+    }
+    replace_file(words[1], exported.text);
+    return Reply{dim(fmt::format("written to {}", words[1]), shell.output().uses_color) + "\n"};
+  });
 }
 
 std::string describe_property(std::string_view name) {

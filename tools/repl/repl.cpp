@@ -97,7 +97,9 @@ private:
     if (!has_changed || !shell_.shows_previews()) return;
     const PictureExtent extent = shell_.printer().fit(shell_.session().scene().size, terminal_size(), 3);
     preview_.start(extent, [this](scene::Resolution size, const std::atomic<bool>& stop) -> std::optional<Film> {
-      Rendered rendered = shell_.render({size, 1, false}, &stop);
+      RenderOptions options;
+      options.stop = &stop;
+      Rendered rendered = shell_.scene().render({size, 1, {}}, options);
       if (!rendered.is_complete) return std::nullopt;
       return std::move(rendered.film);
     });
@@ -105,7 +107,7 @@ private:
 
   std::string state_;
   Shell shell_;
-  Preview preview_;
+  PreviewPrinter preview_;
   LineEditor editor_;
 };
 

@@ -43,7 +43,7 @@ const ShellCommand* meant_command(std::string_view input) {
 
 Shell::Shell(const ShellOptions& options, ShellOutput output)
     : options_(options), output_(std::move(output)), session_(options.folder, stoppable(options.load)),
-      printer_(options.is_interactive), journal_(options.journal_folder),
+      scene_(session_, stoppable(options.load)), printer_(options.is_interactive), journal_(options.journal_folder),
       abandoned_(find_abandoned_session(options.journal_folder)) {}
 
 bool Shell::fail(std::string_view text) const {
@@ -86,44 +86,19 @@ void Shell::remember(std::string_view input) {
   journaled_version_ = session_.version();
 }
 
-Rendered Shell::render(const PictureSettings& settings, const std::atomic<bool>* stop,
-                       std::function<void(const Progress&)> on_progress) {
-  const scene::Scene& scene = session_.scene();
-  if (!traceable_ || traced_version_ != session_.version()) {
-    std::vector<Part> parts;
-    for (const lang::SceneRange& range : session_.ranges()) parts.push_back({range.begin, range.end, range.stamp});
-    traceable_.reset();
-    traceable_.emplace(scene, parts, cache_);
-    traced_version_ = session_.version();
-  }
-  RenderOptions options;
-  options.layers = settings.layers;
-  options.stop = stop;
-  options.on_progress = std::move(on_progress);
-  return rt::render(*traceable_,
-                    {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
-                    options);
-}
-
-void Shell::tell_assumptions() {
-  if (!options_.is_interactive || told_version_ == session_.version()) return;
-  told_version_ = session_.version();
+void Shell::report_assumptions() {
+  if (!options_.is_interactive || reported_version_ == session_.version()) return;
+  reported_version_ = session_.version();
   for (const lang::Diagnostic& note : session_.assumptions()) print(dim(note.message, output_.uses_color) + "\n");
 }
 
-std::optional<scene::Scene> Shell::document_scene() {
-  const std::string folder = session_.folder();
-  lang::Loaded loaded = lang::load_text(session_.text(), "session", folder, stoppable(options_.load));
-  return std::move(loaded.scene);
-}
-
 bool Shell::report(const lang::SessionResult& result) {
-  std::string told;
-  if (!result.problem.empty()) told += result.problem + "\n";
-  for (const std::string& line : result.advice) told += "  " + line + "\n";
+  std::string problems;
+  if (!result.problem.empty()) problems += result.problem + "\n";
+  for (const std::string& line : result.advice) problems += "  " + line + "\n";
   for (const lang::Diagnostic& diagnostic : result.diagnostics)
-    told += lang::render(diagnostic, session_.sources(), output_.uses_color);
-  if (!told.empty()) output_.complain(told);
+    problems += lang::render(diagnostic, session_.sources(), output_.uses_color);
+  if (!problems.empty()) output_.complain(problems);
   std::string answer;
   for (const lang::PrintedValue& value : result.values) {
     if (value.color && output_.uses_color) answer += swatch(*value.color) + " ";

@@ -1,14 +1,11 @@
 #pragma once
 
 #include "lang/session/session.hpp"
-#include "renderer/compile/compiled_scene.hpp"
-#include "renderer/render/render.hpp"
+#include "tools/live/session_scene.hpp"
 #include "tools/repl/journal.hpp"
 #include "tools/terminal/picture.hpp"
 
-#include <atomic>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,35 +33,23 @@ class Shell {
 public:
   Shell(const ShellOptions& options, ShellOutput output);
 
-  /// Statements, or a command that begins with a colon. False where it went wrong, which has been told.
+  /// Statements, or a command that begins with a colon. False where it went wrong, which has been reported.
   bool run(std::string_view input);
   bool wants_to_quit() const { return wants_to_quit_; }
 
-  /// Makes a picture of the scene as it stands; settings that are not given are the scene's own.
-  struct PictureSettings {
-    std::optional<scene::Resolution> size;
-    std::optional<int> samples;
-    bool layers = false;
-  };
-  Rendered render(const PictureSettings& settings, const std::atomic<bool>* stop,
-                  std::function<void(const Progress&)> on_progress = {});
-
-  /// The scene as the saved document would give it, its tables without what earlier states left in them; nothing where
-  /// it was stopped.
-  std::optional<scene::Scene> document_scene();
   /// Says what camera and light were assumed, once for each state of the scene.
-  void tell_assumptions();
-  const CompileCache::Counts& compile_counts() const { return cache_.counts(); }
+  void report_assumptions();
 
   // For the commands.
   lang::Session& session() { return session_; }
+  live::SessionScene& scene() { return scene_; }
   const ShellOptions& options() const { return options_; }
   PicturePrinter& printer() { return printer_; }
   const ShellOutput& output() const { return output_; }
   void print(std::string_view text) const { output_.print(text); }
   /// Prints a complaint and gives false.
   bool fail(std::string_view text) const;
-  /// Tells what became of an input; false unless it was accepted.
+  /// Reports what became of an input; false unless it was accepted.
   bool report(const lang::SessionResult& result);
   void quit() { wants_to_quit_ = true; }
 
@@ -94,9 +79,7 @@ private:
   ShellOptions options_;
   ShellOutput output_;
   lang::Session session_;
-  CompileCache cache_{0};
-  std::optional<CompiledScene> traceable_; // of the scene at a version
-  std::size_t traced_version_ = 0;
+  live::SessionScene scene_;
   PicturePrinter printer_;
   Journal journal_;
   std::optional<AbandonedSession> abandoned_;
@@ -106,7 +89,7 @@ private:
   bool wants_to_quit_ = false;
   bool shows_previews_ = false;
   bool has_changed_ = false;
-  std::optional<std::size_t> told_version_;
+  std::optional<std::size_t> reported_version_;
   std::size_t journaled_version_ = 0; // to which the journal leads
 };
 

@@ -1,6 +1,7 @@
 #include "tools/rtlang/program.hpp"
 
 #include "lang/text/suggest.hpp"
+#include "tools/explain/question.hpp"
 #include "tools/rtlang/help.hpp"
 #include "tools/terminal/console.hpp"
 #include "tools/terminal/exit_code.hpp"
@@ -86,6 +87,8 @@ int run_subcommand(const Subcommand& subcommand, std::vector<std::string> argume
     return usage_error(as_sentence(error.what()), name_given);
   } catch (const UsageError& error) {
     return usage_error(error.what(), name_given);
+  } catch (const explain::QuestionError& error) {
+    return usage_error(error.what(), name_given);
   }
 }
 
@@ -111,10 +114,6 @@ int dispatch(std::vector<std::string> arguments) {
 
 int run(std::vector<std::string> arguments) {
   listen_to_signals();
-  return run_for_session(std::move(arguments));
-}
-
-int run_for_session(std::vector<std::string> arguments) {
   try {
     return dispatch(std::move(arguments));
   } catch (const Interrupted&) {

@@ -94,9 +94,6 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->group(further_options);
-  // For a session, whose text stands in a file that nobody is to see.
-  app.add_option("--shown-as", arguments->shown_as)->group("");
-  app.add_option("--seen-from", arguments->folder)->group("");
   const lang::Limits defaults;
   add_limit(app, "--max-steps", "N", options.limits.steps, 1000,
             fmt::format("steps that evaluation may take ({})", human(static_cast<double>(defaults.steps))));
@@ -110,7 +107,6 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
 }
 
 std::string shown_name(const SceneArguments& arguments) {
-  if (!arguments.shown_as.empty()) return arguments.shown_as;
   return arguments.path == "-" ? "<stdin>" : arguments.path;
 }
 
@@ -135,10 +131,9 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 lang::Loaded load_in_silence(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
-  const bool is_text_alone = arguments.path == "-" || !arguments.folder.empty();
-  const std::string folder = arguments.folder.empty() ? "." : arguments.folder;
-  lang::Loaded loaded = is_text_alone ? lang::load_text(read_text(arguments), shown_name(arguments), folder, options)
-                                      : load_named(arguments.path, options);
+  lang::Loaded loaded = arguments.path == "-"
+                            ? lang::load_text(read_text(arguments), shown_name(arguments), ".", options)
+                            : load_named(arguments.path, options);
   throw_if_stopped();
   return loaded;
 }
@@ -149,59 +144,22 @@ lang::Loaded load(const SceneArguments& arguments) {
   return loaded;
 }
 
-namespace {
-
-/// Why a number is not allowed for a field of the scene's; "" where it is.
-std::string check_field(std::string_view name, const std::vector<int>& numbers) {
-  scene::Scene scene;
-  const auto table = scene::fields(&scene);
-  const auto field = std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == name; });
-  const scene::Constraint& constraint = field->constraint;
-  for (const int number : numbers) {
-    if (number < constraint.min || number > constraint.max)
-      return fmt::format("takes whole numbers from {:.0f} to {:.0f}, not {}", constraint.min, constraint.max, number);
-  }
-  if (field->type == scene::FieldType::resolution) return "";
-  field->set(&scene, static_cast<double>(numbers[0]));
-  const auto problem = check(scene);
-  return problem ? fmt::format("cannot be {}: {}", numbers[0], problem->message) : "";
+std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
+  auto settings = std::make_shared<live::PictureSettings>();
+  const auto add = [&](const std::string& option, const char* field, const char* type, const char* text) {
+    app.add_option_function<std::string>(
+           option, [settings = settings.get(), field](const std::string& value) { settings->set(field, value); }, text)
+        ->type_name(type)
+        ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
+  };
+  add("--size", "size", "WxH", "width and height, in place of the scene's");
+  add("--samples", "samples", "N", "rays for each pixel, a square number");
+  add("--max-depth", "max_depth", "N", "how often a ray may be mirrored or refracted");
+  return settings;
 }
 
-/// Adds an option that overrides a whole number of the scene.
-void add_override(CLI::App& app, const std::string& option, std::string_view field, std::optional<int>& value,
-                  const char* text) {
-  app.add_option(option, value, text)->type_name("N")->check([field](const std::string& word) {
-    const auto number = parse_numbers(word, ',', 1);
-    return number ? check_field(field, *number) : fmt::format("takes a whole number, not `{}`", word);
-  });
-}
-
-} // namespace
-
-std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app) {
-  auto arguments = std::make_shared<PictureArguments>();
-  app.add_option_function<std::string>(
-         "--size",
-         [arguments = arguments.get()](const std::string& text) {
-           const auto numbers = parse_numbers(text, 'x', 2);
-           arguments->size = {(*numbers)[0], (*numbers)[1]};
-         },
-         "width and height, in place of the scene's")
-      ->type_name("WxH")
-      ->check([](const std::string& text) {
-        const auto numbers = parse_numbers(text, 'x', 2);
-        return numbers ? check_field("size", *numbers)
-                       : fmt::format("takes width and height, as in 800x600, not `{}`", text);
-      });
-  add_override(app, "--samples", "samples", arguments->samples, "rays for each pixel, a square number");
-  add_override(app, "--max-depth", "max_depth", arguments->max_depth, "how often a ray may be mirrored or refracted");
-  return arguments;
-}
-
-void apply(const PictureArguments& arguments, scene::Scene& scene) {
-  scene.size = arguments.size.value_or(scene.size);
-  scene.samples = arguments.samples.value_or(scene.samples);
-  scene.max_depth = arguments.max_depth.value_or(scene.max_depth);
+live::Document load_document(const SceneArguments& arguments, const live::PictureSettings& settings) {
+  return {load(arguments), shown_name(arguments), settings};
 }
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string> words) {
@@ -213,7 +171,7 @@ std::function<std::string(const std::string&)> one_of(std::vector<std::string> w
 
 std::function<std::string(const std::string&)> whole_number(int least, int greatest) {
   return [=](const std::string& word) -> std::string {
-    const auto number = parse_numbers(word, ',', 1);
+    const auto number = live::parse_numbers(word, ',', 1);
     if (number && number->front() >= least && number->front() <= greatest) return "";
     return fmt::format("takes a whole number from {} to {}, not `{}`", least, greatest, word);
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/load.hpp"
+#include "tools/live/document.hpp"
 
 #include <functional>
 #include <memory>
@@ -16,9 +17,7 @@ namespace rt::tools {
 
 /// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --quiet and --diagnostics.
 struct SceneArguments {
-  std::string path;     ///< "-" is standard input
-  std::string shown_as; ///< in the place of the path, where not empty
-  std::string folder;   ///< what includes start from, where not empty
+  std::string path; ///< "-" is standard input
   std::vector<std::string> defines;
   lang::LoadOptions options; ///< without the defines
   bool is_quiet = false;
@@ -46,17 +45,11 @@ lang::Loaded load(const SceneArguments& arguments);
 /// The same, with nothing on standard error.
 lang::Loaded load_in_silence(const SceneArguments& arguments);
 
-/// What overrides the scene's own settings: --size, --samples and --max-depth, each checked as the scene's field is.
-struct PictureArguments {
-  std::optional<scene::Resolution> size;
-  std::optional<int> samples;
-  std::optional<int> max_depth;
-};
+/// Adds --size, --samples and --max-depth, each checked as the scene's field is.
+std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app);
 
-std::shared_ptr<PictureArguments> add_picture_arguments(CLI::App& app);
-
-/// Puts the overrides into the scene.
-void apply(const PictureArguments& arguments, scene::Scene& scene);
+/// The scene as a document with these settings, with the diagnostics on standard error. Fails as `load` does.
+live::Document load_document(const SceneArguments& arguments, const live::PictureSettings& settings);
 
 /// A check of CLI11's for an option that takes one of these words.
 std::function<std::string(const std::string&)> one_of(std::vector<std::string> words);

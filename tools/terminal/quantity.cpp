@@ -27,23 +27,6 @@ std::optional<std::uint64_t> parse_quantity(std::string_view text, std::uint64_t
   return static_cast<std::uint64_t>(value);
 }
 
-std::optional<std::vector<int>> parse_numbers(std::string_view text, char separator, std::size_t count) {
-  std::vector<int> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (true) {
-    int number = 0;
-    const auto [rest, error] = std::from_chars(at, end, number);
-    if (error != std::errc()) return std::nullopt;
-    numbers.push_back(number);
-    if (rest == end) break;
-    if (*rest != separator) return std::nullopt;
-    at = rest + 1;
-  }
-  if (numbers.size() != count) return std::nullopt;
-  return numbers;
-}
-
 std::string human(double quantity) {
   constexpr std::string_view prefixes[] = {"", " k", " M", " G", " T"};
   std::size_t power = 0;

@@ -4,16 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rt::tools {
 
 /// A whole number, not negative, as "20000000", "2e7", or with a letter of either case for a power of `thousand`:
 /// "500K", "20M", "4G", "1T". `thousand` is 1000 for things that are counted, 1024 for bytes.
 std::optional<std::uint64_t> parse_quantity(std::string_view text, std::uint64_t thousand);
-
-/// Whole numbers with `separator` between them: "800x600", "10,10,50,50". Empty unless there are exactly `count`.
-std::optional<std::vector<int>> parse_numbers(std::string_view text, char separator, std::size_t count);
 
 /// A quantity for people, three digits and a power of 1000: "1.20 M", "318".
 std::string human(double quantity);

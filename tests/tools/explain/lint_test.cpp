@@ -332,7 +332,7 @@ TEST_CASE("rtlang lint: text, JSON and exit codes") {
   CHECK(wrong.output.empty());
   const auto unknown = rtlang({"lint", "good.rtl", "--allow", "hiden"}, options);
   CHECK(unknown.exit_code == 2);
-  CHECK(unknown.errors.find("did you mean hidden?") != std::string::npos);
+  CHECK(unknown.errors.find("did you mean `hidden`?") != std::string::npos);
   CHECK(rtlang({"lint"}, options).exit_code == 2);
   CHECK(rtlang({"lint", "--rules"}).output.find("W0207  hidden            A thing is hidden by another\n") !=
         std::string::npos);

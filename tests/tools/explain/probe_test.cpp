@@ -1,7 +1,6 @@
 #include "lang/load.hpp"
 #include "tools/explain/naming.hpp"
 #include "tools/explain/probe.hpp"
-#include "tools/terminal/exit_code.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -73,12 +72,12 @@ TEST_CASE("probe: what is no question about the picture is a usage error") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);
   explain::Question q;
-  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), explain::QuestionError);
   q.pixel = {5, 0};
-  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), explain::QuestionError);
   q.pixel = {4, 0};
   q.sample = 1; // there is one only, number 0
-  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), UsageError);
-  CHECK_THROWS_AS(explain::numbers_of("1,2,x", 3, "--ray"), UsageError);
-  CHECK_THROWS_AS(explain::numbers_of("1,2", 3, "--ray"), UsageError);
+  CHECK_THROWS_AS(explain::resolve(q, scene, query.camera()), explain::QuestionError);
+  CHECK_THROWS_AS(explain::parse({.pixel = "1,x"}), explain::QuestionError);
+  CHECK_THROWS_AS(explain::parse({.ray = {"1,2", "0,0,1"}}), explain::QuestionError);
 }

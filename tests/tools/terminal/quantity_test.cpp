@@ -20,13 +20,6 @@ TEST_CASE("quantity: what is no whole number is not read") {
     CHECK_FALSE(parse_quantity(text, 1000));
 }
 
-TEST_CASE("quantity: lists of whole numbers have the given count and separator") {
-  CHECK(parse_numbers("800x600", 'x', 2) == std::vector{800, 600});
-  CHECK(parse_numbers("1,-2,3,4", ',', 4) == std::vector{1, -2, 3, 4});
-  for (const char* text : {"", "800", "800x", "x600", "800x600x1", "800X600", "800 x 600", "8.5x6", "99999999999x1"})
-    CHECK_FALSE(parse_numbers(text, 'x', 2));
-}
-
 TEST_CASE("quantity: people read three digits") {
   CHECK(human(0) == "0");
   CHECK(human(318) == "318");

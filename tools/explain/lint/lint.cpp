@@ -1,9 +1,11 @@
 #include "tools/explain/lint/lint.hpp"
 
 #include "lang/check/lint.hpp"
+#include "lang/text/suggest.hpp"
 #include "lang/text/tokens.hpp"
 #include "tools/explain/lint/lint_parts.hpp"
 #include "tools/explain/naming.hpp"
+#include "tools/explain/question.hpp"
 
 #include <fmt/format.h>
 
@@ -118,6 +120,24 @@ std::vector<lang::Diagnostic> lint(const lang::Loaded& loaded, const LintOptions
     for (lang::Diagnostic& d : findings.take()) found.push_back(std::move(d));
   }
   return lang::without_allowed(std::move(found), loaded.sources, options.allowed);
+}
+
+void require_rules(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (lang::find_lint_rule(word)) continue;
+    std::vector<std::string_view> names;
+    for (const lang::LintRule& rule : lang::lint_rules()) names.push_back(rule.name);
+    const auto guess = lang::nearest(word, names);
+    throw QuestionError(
+        fmt::format("the lint has no rule `{}`{}", word,
+                    guess ? fmt::format(": did you mean `{}`?", *guess) : "; `rtlang lint --rules` lists them"));
+  }
+}
+
+std::string lint_text(const std::vector<lang::Diagnostic>& warnings, const lang::SourceMap& sources, bool use_color) {
+  std::string text;
+  for (const lang::Diagnostic& d : warnings) text += lang::render(d, sources, use_color) + '\n';
+  return text;
 }
 
 } // namespace rt::tools::explain

@@ -25,4 +25,9 @@ struct LintOptions {
 /// than 300,000 shapes are placed, none is called too small or hidden.
 std::vector<lang::Diagnostic> lint(const lang::Loaded& loaded, const LintOptions& options);
 
+/// Throws QuestionError unless each word is a rule's name or code.
+void require_rules(const std::vector<std::string>& words);
+/// The warnings with their places in the text, a blank line after each.
+std::string lint_text(const std::vector<lang::Diagnostic>& warnings, const lang::SourceMap& sources, bool use_color);
+
 } // namespace rt::tools::explain

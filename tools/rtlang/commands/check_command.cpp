@@ -1,6 +1,5 @@
 #include "renderer/image/file.hpp"
-#include "renderer/render/render.hpp"
-#include "tools/povray/compare/report.hpp"
+#include "tools/live/povray.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/gate_arguments.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
@@ -11,27 +10,20 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 #include <chrono>
-#include <future>
-#include <thread>
 
 namespace rt::tools {
 namespace {
 
 struct Arguments {
   std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<PictureArguments> picture;
+  std::shared_ptr<live::PictureSettings> picture;
   std::vector<std::string> gates;
   std::string html;
   bool is_json = false;
   double time_limit = 600;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 povray::Gates gates_of(const Arguments& arguments) {
   povray::Gates gates;
@@ -41,47 +33,17 @@ povray::Gates gates_of(const Arguments& arguments) {
   return gates;
 }
 
-// POV-Ray works while we do.
-povray::Report make_report(const Arguments& arguments, const scene::Scene& scene, Film& film, povray::Shots& shots) {
-  povray::Report report;
-  report.scene = shown_name(*arguments.scene);
-  report.gates = gates_of(arguments);
-  report.povray_version = povray::version();
-  report.description = &scene;
-  report.inexact = povray::export_povray(scene).inexact;
-  const auto start = std::chrono::steady_clock::now();
-  povray::ShootOptions options;
-  options.run.stop = &stop_flag();
-  options.run.time_limit = std::chrono::milliseconds(static_cast<long>(1000 * arguments.time_limit));
-  options.run.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  auto theirs = std::async(std::launch::async, [&] {
-    povray::Shots result = povray::shoot(scene, options);
-    report.povray_seconds = seconds_since(start);
-    return result;
-  });
-  RenderOptions ours;
-  ours.layers = true;
-  ours.stop = &stop_flag();
-  film = render(scene, ours).film;
-  report.render_seconds = seconds_since(start);
-  theirs.wait();
-  throw_if_stopped();
-  shots = theirs.get();
-  report.film = &film;
-  report.shots = &shots;
-  report.comparison = povray::compare(scene, film, shots, report.gates);
-  return report;
-}
-
 int run_check(const Arguments& arguments) {
-  gates_of(arguments);
-  lang::Loaded loaded = load(*arguments.scene);
-  if (!loaded.scene) return exit_scene_is_wrong;
-  apply(*arguments.picture, *loaded.scene);
+  live::CheckOptions options;
+  options.gates = gates_of(arguments);
+  options.time_limit = std::chrono::milliseconds(static_cast<long>(1000 * arguments.time_limit));
+  options.stop = &stop_flag();
+  live::Document document = load_document(*arguments.scene, *arguments.picture);
+  if (!document.has_scene()) return exit_scene_is_wrong;
   if (!arguments.html.empty()) require_writable(arguments.html);
-  Film film;
-  povray::Shots shots;
-  const povray::Report report = make_report(arguments, *loaded.scene, film, shots);
+  const auto check = live::check(document, options);
+  if (!check) throw Interrupted{};
+  const povray::Report& report = check->report;
   if (!arguments.html.empty()) replace_file(arguments.html, povray::report_html(report));
   print(arguments.is_json ? povray::report_json(report) : povray::report_text(report));
   return report.holds() ? exit_fine : exit_scene_is_wrong;

@@ -1,5 +1,5 @@
 #include "renderer/image/file.hpp"
-#include "tools/povray/export/export.hpp"
+#include "tools/live/povray.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
 #include "tools/terminal/console.hpp"
@@ -8,28 +8,23 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 namespace rt::tools {
 namespace {
 
 struct Arguments {
   std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<PictureArguments> picture;
+  std::shared_ptr<live::PictureSettings> picture;
   std::string output;
   bool has_comments = true;
 };
 
 int run_export(const Arguments& arguments) {
-  lang::Loaded loaded = load(*arguments.scene);
-  if (!loaded.scene) return exit_scene_is_wrong;
-  apply(*arguments.picture, *loaded.scene);
-  const povray::Exported exported = povray::export_povray(*loaded.scene, {.comments = arguments.has_comments});
-  for (const povray::Inexact& inexact : exported.inexact) {
-    const std::string place = povray::place_text(*loaded.scene, inexact.origin);
-    print_error(fmt::format("error: {}\n{}", inexact.message, place.empty() ? "" : fmt::format("  --> {}\n", place)));
-  }
-  if (!exported.inexact.empty()) return exit_scene_is_wrong;
+  const live::Document document = load_document(*arguments.scene, *arguments.picture);
+  if (!document.has_scene()) return exit_scene_is_wrong;
+  const live::PovrayExport exported = live::export_povray(document, arguments.has_comments);
+  print_error(exported.problems);
+  if (!exported.problems.empty()) return exit_scene_is_wrong;
   if (arguments.output.empty() || arguments.output == "-")
     print(exported.text);
   else

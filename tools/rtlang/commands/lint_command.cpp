@@ -1,6 +1,4 @@
 #include "lang/check/lint.hpp"
-#include "lang/text/suggest.hpp"
-#include "tools/explain/lint/lint.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
 #include "tools/terminal/console.hpp"
@@ -17,7 +15,7 @@ namespace {
 
 struct Arguments {
   std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<PictureArguments> picture;
+  std::shared_ptr<live::PictureSettings> picture;
   explain::LintOptions options;
   bool is_json = false;
   bool is_strict = false;
@@ -32,42 +30,32 @@ int list_rules() {
   return exit_fine;
 }
 
-void require_rules(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    if (lang::find_lint_rule(word)) continue;
-    std::vector<std::string_view> names;
-    for (const lang::LintRule& rule : lang::lint_rules()) names.push_back(rule.name);
-    const auto guess = lang::nearest(word, names);
-    throw UsageError(fmt::format("the lint has no rule `{}`{}", word,
-                                 guess ? fmt::format(": did you mean {}?", *guess) : "; --rules lists them"));
-  }
-}
-
-std::string as_text(const std::vector<lang::Diagnostic>& warnings, const lang::SourceMap& sources, bool is_quiet) {
-  std::string text;
-  for (const lang::Diagnostic& d : warnings) text += lang::render(d, sources, output_takes_color()) + '\n';
-  if (is_quiet) return text;
+// What was said of how many warnings.
+std::string conclusion(const std::vector<lang::Diagnostic>& warnings) {
   if (warnings.empty()) return "no warnings\n";
   const bool is_one = warnings.size() == 1;
-  return text + fmt::format("{} warning{}; `rtlang explain {}` tells more\n", warnings.size(), is_one ? "" : "s",
-                            warnings.front().code);
+  return fmt::format("{} warning{}; `rtlang explain {}` tells more\n", warnings.size(), is_one ? "" : "s",
+                     warnings.front().code);
 }
 
 int run_lint(Arguments& arguments) {
   if (arguments.lists_rules) return list_rules();
   if (arguments.scene->path.empty()) throw UsageError("the scene's file is missing");
-  require_rules(arguments.options.allowed);
+  explain::require_rules(arguments.options.allowed);
   arguments.scene->options.lint = true;
   lang::Loaded loaded = load_in_silence(*arguments.scene);
   std::erase_if(loaded.diagnostics, [](const lang::Diagnostic& d) { return d.severity != lang::Severity::error; });
   show(loaded.diagnostics, loaded.sources, *arguments.scene);
-  if (!loaded.scene) return exit_scene_is_wrong;
-  apply(*arguments.picture, *loaded.scene);
+  const live::Document document(std::move(loaded), shown_name(*arguments.scene), *arguments.picture);
+  if (!document.has_scene()) return exit_scene_is_wrong;
   arguments.options.stop = &stop_flag();
-  const std::vector<lang::Diagnostic> warnings = explain::lint(loaded, arguments.options);
+  const std::vector<lang::Diagnostic> warnings = document.lint(arguments.options);
   throw_if_stopped();
-  print(arguments.is_json ? lang::render_json(warnings, loaded.sources) + '\n'
-                          : as_text(warnings, loaded.sources, arguments.scene->is_quiet));
+  if (arguments.is_json)
+    print(lang::render_json(warnings, document.sources()) + '\n');
+  else
+    print(explain::lint_text(warnings, document.sources(), output_takes_color()) +
+          (arguments.scene->is_quiet ? "" : conclusion(warnings)));
   return arguments.is_strict && !warnings.empty() ? exit_scene_is_wrong : exit_fine;
 }
 

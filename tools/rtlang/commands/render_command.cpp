@@ -36,7 +36,7 @@ double seconds_since(Clock::time_point start) {
 
 struct RenderArguments {
   std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<PictureArguments> picture;
+  std::shared_ptr<live::PictureSettings> picture;
   std::vector<std::string> outputs;
   std::string format; ///< for outputs whose name does not tell; empty: png
   std::string crop;
@@ -81,7 +81,7 @@ void require_folders(const std::vector<Output>& list) {
 }
 
 PixelRect crop(const std::string& text, const scene::Resolution& size) {
-  const auto n = parse_numbers(text, ',', 4);
+  const auto n = live::parse_numbers(text, ',', 4);
   const PixelRect rect{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   if (rect.x0 < 0 || rect.y0 < 0 || rect.x1 <= rect.x0 || rect.y1 <= rect.y0 || rect.x1 > size[0] || rect.y1 > size[1])
     throw UsageError(
@@ -141,7 +141,7 @@ int run_render(const RenderArguments& arguments) {
   if (!loaded.scene) return exit_scene_is_wrong;
   loaded.sources = {}; // all is said about the text, and it may be large
   scene::Scene& scene = *loaded.scene;
-  apply(*arguments.picture, scene);
+  arguments.picture->apply_to(scene);
   statistics.load_seconds = seconds_since(start);
 
   RenderOptions options;
@@ -182,7 +182,8 @@ Action declare_render(CLI::App& app) {
   app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")
       ->type_name("X0,Y0,X1,Y1")
       ->check([](const std::string& text) {
-        return parse_numbers(text, ',', 4) ? "" : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
+        return live::parse_numbers(text, ',', 4) ? ""
+                                                 : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
       });
   app.add_option("--bits", arguments->bits, "of a sample in .png and .ppm: 8 or 16")
       ->type_name("N")

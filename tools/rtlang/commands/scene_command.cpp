@@ -15,14 +15,14 @@ namespace {
 
 struct Arguments {
   std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<PictureArguments> picture;
+  std::shared_ptr<live::PictureSettings> picture;
   bool wants_hash = false;
 };
 
 int run_scene(const Arguments& arguments) {
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
-  apply(*arguments.picture, *loaded.scene);
+  arguments.picture->apply_to(*loaded.scene);
   if (arguments.wants_hash)
     print(fmt::format("{}\n", scene_hash(*loaded.scene)));
   else

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "lang/load.hpp"
+#include "renderer/render/render.hpp"
+#include "tools/explain/lint/lint.hpp"
+#include "tools/explain/question.hpp"
+#include "tools/live/picture_settings.hpp"
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rt::tools::live {
+
+struct ProbeOptions {
+  bool all = false; ///< every hit, not the nearest only
+  bool as_json = false;
+};
+
+struct WhyOptions {
+  int depth = std::numeric_limits<int>::max(); ///< deeper rays are summed up
+  bool as_json = false;
+};
+
+/// A scene that was loaded, with its pictures and the answers about it. It is compiled once, when first asked about.
+/// For one thread at a time.
+class Document {
+public:
+  /// `file` is the name of the scene's own file in answers and diagnostics.
+  Document(lang::Loaded loaded, std::string file, const PictureSettings& settings = {});
+
+  /// False where the text is wrong, which `diagnostics` say. All that follows them requires a scene.
+  bool has_scene() const { return loaded_.scene.has_value(); }
+  const std::vector<lang::Diagnostic>& diagnostics() const { return loaded_.diagnostics; }
+  const lang::SourceMap& sources() const { return loaded_.sources; }
+
+  const std::string& file() const { return file_; }
+  const scene::Scene& scene() const { return *loaded_.scene; }
+
+  /// The same bytes as a picture of the file.
+  Rendered render(const RenderOptions& options);
+
+  // Answers end in a line break. They throw explain::QuestionError for a question that makes no sense.
+  std::string probe(const explain::Question& question, const ProbeOptions& options);
+  std::string why(const explain::Question& question, const WhyOptions& options);
+  /// Requires that it was loaded with `LoadOptions::lint`.
+  std::vector<lang::Diagnostic> lint(const explain::LintOptions& options) const;
+
+private:
+  const RayQuery& query();
+
+  lang::Loaded loaded_;
+  std::string file_;
+  std::unique_ptr<const RayQuery> query_;
+};
+
+} // namespace rt::tools::live

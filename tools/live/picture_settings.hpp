@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderer/scene/scene.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::tools::live {
+
+/// What overrides the scene's own settings for a picture.
+struct PictureSettings {
+  std::optional<scene::Resolution> size;
+  std::optional<int> samples, max_depth;
+
+  /// Reads one of them, named like the scene's field: "800x600" for `size`, "16" for `samples` and `max_depth`. Returns
+  /// what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), "" if it was set.
+  std::string set(std::string_view field, std::string_view text);
+  void apply_to(scene::Scene& scene) const;
+
+  friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
+};
+
+/// Whole numbers with `separator` between them: "800x600", "10,10,50,50". Empty unless there are exactly `count`.
+std::optional<std::vector<int>> parse_numbers(std::string_view text, char separator, std::size_t count);
+
+} // namespace rt::tools::live

@@ -1,26 +1,22 @@
 #pragma once
 
+#include "lang/analyse.hpp"
 #include "lang/builtins/expect.hpp"
 #include "lang/diagnostics/diagnostic.hpp"
 #include "lang/evaluate/limits.hpp"
-#include "lang/text/source.hpp"
 #include "renderer/scene/scene.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rt::lang {
 
-struct LoadOptions {
-  std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text
+struct LoadOptions : AnalyseOptions {
   Limits limits;
-  std::vector<std::string> include_roots;  ///< folders beyond the scene's own that `include` and `use` may read from
   ObserverMaker observe;                   ///< who looks at the scene for its expectations; without, they are not tried
-  bool lint = false;                       ///< also look for what is well formed and hardly meant: `Loaded::remarks`
   const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic
 };
 
@@ -39,8 +35,8 @@ struct Loaded {
   Expectations expectations;
 };
 
-/// Text to scene description: parse, check, evaluate. A file that cannot be read is an exception
-/// (std::filesystem::filesystem_error or std::system_error) for the scene itself, a diagnostic for an include.
+/// Text to scene description: analyse, then evaluate. A file that cannot be read is an exception (std::system_error)
+/// for the scene itself, a diagnostic for an include.
 Loaded load_file(const std::string& path, const LoadOptions& options);
 /// The same for a text that is not a file; relative includes start from `folder`.
 Loaded load_text(std::string text, std::string name, const std::string& folder, const LoadOptions& options);

@@ -2,10 +2,12 @@
 
 #include "lang/check/program.hpp"
 #include "lang/diagnostics/report.hpp"
+#include "lang/text/file_system.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rt::lang {
@@ -15,7 +17,8 @@ namespace rt::lang {
 class Files {
 public:
   /// `folder` is where the scene stands; it need not exist when nothing is read from it.
-  Files(Program& program, Report& report, const std::filesystem::path& folder, const std::vector<std::string>& roots);
+  Files(Program& program, Report& report, const FileSystem& file_system, const std::filesystem::path& folder,
+        const std::vector<std::string>& roots);
 
   std::string folder() const { return folder_.string(); }
   /// From now on the scene stands there.
@@ -23,8 +26,10 @@ public:
 
   /// Adds a text to the program and parses it.
   Unit& parse_text(std::string name, std::string path, std::string text, Span included_from = {});
-  /// The same for a text that is an expression.
-  Unit& parse_expression_text(std::string name, std::string text);
+  /// The library, and the values of the command line by the names of their params.
+  void parse_library_and_defines(const std::vector<std::pair<std::string, std::string>>& defines);
+  /// From now on each item has a node of its own, however many are alike.
+  void unfold_repeats() { folds_repeats_ = false; }
 
   /// Where the file is that the text at `place` names; empty where it may not be read, which is reported.
   std::filesystem::path find(std::string_view path, Span place);
@@ -35,6 +40,7 @@ public:
   std::uint64_t bytes() const { return bytes_; }
 
 private:
+  Unit& parse_expression_text(std::string name, std::string text);
   std::string display_name(const std::filesystem::path& canonical) const;
   bool is_allowed(const std::filesystem::path& canonical) const;
   /// The name of the file beside it that was likely meant, where it does not exist and `place` names it; or empty.
@@ -42,13 +48,12 @@ private:
 
   Program& program_;
   Report& report_;
+  const FileSystem& file_system_;
   std::filesystem::path folder_; // canonical
   std::vector<std::filesystem::path> roots_;
+  bool folds_repeats_ = true;
   double parse_seconds_ = 0;
   std::uint64_t bytes_ = 0;
 };
-
-/// The whole file. Throws std::system_error with the path in its message.
-std::string read_file(const std::filesystem::path& path);
 
 } // namespace rt::lang

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "lang/check/name_uses.hpp"
+#include "lang/check/references.hpp"
 #include "lang/syntax/ast.hpp"
 #include "lang/values/node_types.hpp"
 
 #include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,7 +39,8 @@ struct FunctionInfo {
     Symbol name;
     std::uint32_t slot = 0;
     NodeId default_value = no_node;
-    NodeId node = no_node;
+    NodeId node = no_node; ///< its name
+    DeclarationId declaration = no_declaration;
   };
   Unit* unit = nullptr;
   NodeId node = no_node;
@@ -49,7 +49,7 @@ struct FunctionInfo {
   std::vector<Parameter> parameters;
   NodeId body = no_node;
   std::uint32_t frame_size = 0;
-  std::uint32_t use = NameUses::none; ///< its number there, for the lint
+  DeclarationId declaration = no_declaration;
   bool is_at_top_level = false;       ///< of its file
   const ModuleInfo* module = nullptr; ///< the used file it stands in, null for the scene itself
   mutable bool was_run = false;
@@ -69,6 +69,7 @@ struct ModuleInfo {
     std::uint32_t slot = 0;
     const FunctionInfo* function = nullptr; ///< a def or fn, else a value in `slot`
     const NodeType* type = nullptr;         ///< of a thing, where it is known
+    DeclarationId declaration = no_declaration;
   };
   Unit* unit = nullptr;
   std::string path; ///< canonical
@@ -109,10 +110,11 @@ struct Program {
     Symbol name;
     std::uint32_t slot;
     Span span;
+    DeclarationId declaration;
   };
   std::vector<LibraryName> library_names;
   std::vector<Symbol> param_names; ///< of the main file and what it includes
-  std::unique_ptr<NameUses> uses;  ///< where the lint is wanted: filled by check
+  References references;
 
   Program();
   /// The last one counts.
@@ -133,7 +135,6 @@ inline void set_function_index(Node& node, std::uint32_t index) {
 inline std::uint32_t function_index(const Node& node) {
   return static_cast<std::uint32_t>(node.op) << 16 | node.extra;
 }
-inline constexpr std::uint32_t most_functions = 1U << 24;
 
 /// What check found a name to mean. In a name node: `Ast::slot` and, in `Node::extra`, the resolution in the upper four
 /// bits and in the lower twelve the number of frames outwards.
@@ -141,7 +142,7 @@ enum class Resolution : std::uint16_t {
   none,     ///< in error, reported
   local,    ///< slot of a frame
   function, ///< index in `Program::functions`, and the frame it was declared in
-  type,     ///< index in `Program::nouns`
+  type,     ///< index in `Program::types`
   builtin,  ///< index in the table of built-in functions
   constant, ///< index in the table of built-in constants
   color,    ///< a CSS colour: 0xrrggbb

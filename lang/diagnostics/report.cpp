@@ -93,6 +93,14 @@ Diagnostic* Report::add(Severity severity, std::string_view code, Span span) {
   return &diagnostic;
 }
 
+void Report::error(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes) {
+  Diagnostic* d = error(code, span);
+  if (!d) return;
+  d->message = std::move(message);
+  d->label = std::move(label);
+  d->notes = std::move(notes);
+}
+
 Diagnostic* Report::remark(std::string_view code, Span span) {
   if (!wants_remarks_ || remarks_.size() >= most) return nullptr;
   if (!known_.emplace(span.file, span.begin, span.end, std::string(code)).second) return nullptr;
@@ -101,6 +109,14 @@ Diagnostic* Report::remark(std::string_view code, Span span) {
   diagnostic.code = code;
   diagnostic.span = span;
   return &diagnostic;
+}
+
+void Report::remark(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes) {
+  Diagnostic* d = remark(code, span);
+  if (!d) return;
+  d->message = std::move(message);
+  d->label = std::move(label);
+  d->notes = std::move(notes);
 }
 
 void Report::take(std::vector<Diagnostic> diagnostics) {
@@ -123,16 +139,16 @@ std::vector<Diagnostic> sorted(std::vector<Diagnostic> diagnostics) {
 
 } // namespace
 
-std::vector<Diagnostic> Report::finish() {
-  std::vector<Diagnostic> all = sorted(std::move(diagnostics_));
+std::vector<Diagnostic> Report::diagnostics() const {
+  std::vector<Diagnostic> all = sorted(diagnostics_);
   if (is_cut_)
     all.back().notes.push_back(
         {std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
   return all;
 }
 
-std::vector<Diagnostic> Report::finish_remarks() {
-  return sorted(std::move(remarks_));
+std::vector<Diagnostic> Report::remarks() const {
+  return sorted(remarks_);
 }
 
 } // namespace rt::lang

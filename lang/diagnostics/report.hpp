@@ -22,14 +22,19 @@ public:
   /// where there are too many.
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
+  /// The same, filled in.
+  void error(std::string_view code, Span span, std::string message, std::string label = {},
+             std::vector<Note> notes = {});
   /// From now on `remark` takes what the lint has to say; it is kept apart.
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }
   /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a
   /// model stands for, the first one's place is told and no other's.
   Diagnostic* remark(std::string_view code, Span span);
+  /// The same, filled in.
+  void remark(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes = {});
   /// All remarks, in the order of their places in each file.
-  std::vector<Diagnostic> finish_remarks();
+  std::vector<Diagnostic> remarks() const;
 
   /// Takes over the parser's diagnostics. What is said later about the same places follows from them and is left out.
   void take(std::vector<Diagnostic> diagnostics);
@@ -41,7 +46,7 @@ public:
   /// Where something is that is known by its place in a model: see RepeatSpans.
   Span place(Span span) const;
   /// All of them, in the order of their places in each file.
-  std::vector<Diagnostic> finish();
+  std::vector<Diagnostic> diagnostics() const;
 
 private:
   friend class RepeatSpans;

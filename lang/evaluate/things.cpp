@@ -1,4 +1,4 @@
-#include "lang/check/dialects.hpp"
+#include "lang/check/errors/dialects.hpp"
 #include "lang/evaluate/evaluator.hpp"
 #include "lang/evaluate/evaluator_loops.hpp"
 #include "lang/text/hashing.hpp"

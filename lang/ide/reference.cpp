@@ -1,7 +1,7 @@
 #include "lang/ide/reference.hpp"
 
 #include "lang/builtins/builtins.hpp"
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 #include "lang/library/library.hpp"
 #include "lang/values/node_types.hpp"
 
@@ -135,6 +135,11 @@ std::string noun_tables(std::span<const ReferenceEntry> entries) {
 }
 
 } // namespace
+
+std::string describe(const Property& property) {
+  const PropertyEntry e = entry(property);
+  return fmt::format("{}: {}{}{}\n  {}", e.name, e.type, e.default_text.empty() ? "" : " = ", e.default_text, e.help);
+}
 
 std::span<const std::string_view> reference_sections() {
   return section_names;

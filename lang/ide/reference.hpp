@@ -10,6 +10,8 @@
 /// what `rtlang doc`, the session's `:doc` and the tables of the reference show.
 namespace rt::lang {
 
+struct Property;
+
 /// A property of a thing.
 struct PropertyEntry {
   std::string_view name;
@@ -38,6 +40,8 @@ std::vector<ReferenceEntry> reference();
 /// The entries named so (a name may be a noun and a property of others, but only one entry), or none.
 std::optional<ReferenceEntry> find_entry(std::string_view name);
 
+/// A property of one thing: what it takes, its default, what it is.
+std::string describe(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
 /// A word of the grammar, with an example; empty for any other word.

@@ -36,7 +36,7 @@ struct Session::State {
   SessionResult finish(SessionChange& change, std::string description, std::uint64_t last_id) {
     SessionResult result;
     std::optional<Document> made = change.finish();
-    result.diagnostics = core.report.finish();
+    result.diagnostics = core.report.diagnostics();
     if (!made) {
       scene.show(document()); // evaluation may have left its own settings in it
       return result;
@@ -73,7 +73,7 @@ namespace {
 
 SessionResult failed(SessionCore& core) {
   SessionResult result;
-  result.diagnostics = core.report.finish();
+  result.diagnostics = core.report.diagnostics();
   return result;
 }
 
@@ -111,13 +111,13 @@ SessionResult Session::submit(std::string_view text) {
 
 SessionResult Session::load(const std::string& path) {
   SessionCore& core = state_->core;
-  std::string text = read_file(path);
-  std::error_code error;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+  const FileSystem& disk = *core.options.files;
+  std::string text = disk.read(path);
+  const std::filesystem::path whole = disk.canonical(path);
   core.report = Report();
   core.files.set_folder(whole.parent_path());
   SessionChange change(core, {});
-  const TextOrigin origin{path, error ? path : whole.string(), 1};
+  const TextOrigin origin{path, whole.string(), 1};
   std::uint64_t last_id = 0;
   for (const SessionChange::Draft& draft : change.parse_file(std::move(text), origin)) {
     change.append(draft);

@@ -1,7 +1,6 @@
 #include "lang/session/session_change.hpp"
 
 #include "lang/evaluate/deep_stack.hpp"
-#include "lang/library/library.hpp"
 #include "lang/session/session_text.hpp"
 #include "lang/syntax/parse.hpp"
 #include "lang/text/sort_unique.hpp"
@@ -36,16 +35,10 @@ Symbol key_of(const Ast& ast, NodeId node) {
 } // namespace
 
 SessionCore::SessionCore(std::string folder, LoadOptions load_options)
-    : options(std::move(load_options)), files(program, report, folder, options.include_roots),
+    : options(std::move(load_options)), files(program, report, *options.files, folder, options.include_roots),
       evaluator(program, report, options.limits, options.stop, nullptr) {
-  program.library = &files.parse_text(std::string(library_name), {}, std::string(library_text()));
-  for (const auto& [name, text] : options.defines) {
-    Unit& unit = files.parse_expression_text(fmt::format("-D {}", name), text);
-    program.defines.push_back({program.symbols.intern(name), &unit, 0, false});
-  }
-  std::vector<std::string> open_files;
-  Checker(program, files, report, open_files).check_library();
-  for (Define& define : program.defines) Checker(program, files, report, open_files).check_define(define);
+  files.parse_library_and_defines(options.defines);
+  check_library(program, files, report);
   run_on_deep_stack([this](const char* stack_limit) {
     evaluator.begin_session();
     evaluator.begin_input(0, stack_limit);

@@ -104,8 +104,7 @@ bool SessionChange::check() {
       if (!entry.fresh)
         for (const TopName& name : (*entry.done)->names) names.push_back(core_.program.symbols.name(name.name));
   };
-  std::vector<std::string> open_files;
-  Checker(core_.program, core_.files, core_.report, open_files).check_session(items, core_.slots, further_names);
+  check_session(items, core_.slots, further_names, core_.program, core_.files, core_.report);
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!fresh[i]) continue;
     fresh[i]->names = std::move(items[i].names);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lang/check/checker.hpp"
+#include "lang/check/check.hpp"
 #include "lang/evaluate/evaluator.hpp"
 #include "renderer/math/box3.hpp"
 

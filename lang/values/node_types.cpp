@@ -88,7 +88,6 @@ template <class T>
 Maker basic_maker() {
   static_assert(alignof(T) <= alignof(std::max_align_t));
   Maker m;
-  m.size = sizeof(T);
   m.construct = [](void* memory) { new (memory) T; };
   m.destroy = [](void* memory) { static_cast<T*>(memory)->~T(); };
   m.check = [](const void* made) { return check(*static_cast<const T*>(made)); };
@@ -101,7 +100,6 @@ NodeType shape_noun() {
       S::noun, Category::shape, S::help, from_fields(fields(static_cast<const S*>(nullptr))), basic_maker<S>(), {}, {},
       {}};
   type.maker.add = [](scene::Shapes& shapes, void* made) { return shapes.add(std::move(*static_cast<S*>(made))); };
-  type.maker.is_solid = [](const void* made) { return is_solid(geometry(*static_cast<const S*>(made))); };
   append_common(type.properties);
   return type;
 }

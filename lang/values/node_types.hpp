@@ -47,15 +47,13 @@ struct Property {
   const scene::Field* field = nullptr; ///< where `common` is none
 };
 
-/// How a shape or light of a kind known only at run time is made: in memory of `size` bytes aligned to
+/// How a shape or light of a kind known only at run time is made: in memory of `maker_room` bytes aligned to
 /// `std::max_align_t`.
 struct Maker {
-  std::size_t size = 0;
   void (*construct)(void* memory) = nullptr;
   void (*destroy)(void* memory) = nullptr;
   std::optional<scene::Problem> (*check)(const void* made) = nullptr;
   scene::ShapeRef (*add)(scene::Shapes& shapes, void* made) = nullptr; ///< moves it; shapes only
-  bool (*is_solid)(const void* made) = nullptr;                        ///< shapes only; what passes `check`
   scene::LightSource (*light)(const void* made) = nullptr;             ///< lights only
 };
 

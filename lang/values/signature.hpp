@@ -52,11 +52,6 @@ public:
   constexpr const SignatureParameter* begin() const { return parameters_.data(); }
   constexpr const SignatureParameter* end() const { return parameters_.data() + count_; }
   constexpr bool has_rest() const { return count_ > 0 && parameters_[count_ - 1].is_rest; }
-  constexpr std::size_t required() const {
-    std::size_t n = 0;
-    for (const SignatureParameter& p : *this) n += p.is_optional ? 0U : 1U;
-    return n;
-  }
 
 private:
   static constexpr std::size_t find(std::string_view text, std::string_view what) {

@@ -17,14 +17,34 @@ using Codes = std::vector<std::string>;
 
 namespace {
 
-/// A folder of its own, gone at the end.
+/// A scene's folder in memory.
 class Folder {
 public:
-  Folder() : path_(fs::temp_directory_path() / ("rtlang-files-test-" + std::to_string(::getpid()))) {
+  /// Adds a file; its path.
+  std::string write(const std::string& name, const std::string& text) {
+    files_.write("/scene/" + name, text);
+    return "/scene/" + name;
+  }
+  Loaded load(const std::string& path) const {
+    LoadOptions options;
+    options.files = &files_;
+    return load_file(path, options);
+  }
+  Loaded load_main(const std::string& text) { return load(write("main.rtl", text)); }
+  const FileSystem& files() const { return files_; }
+
+private:
+  MemoryFiles files_;
+};
+
+/// A folder on the disk, gone at the end: for links and pipes.
+class DiskFolder {
+public:
+  DiskFolder() : path_(fs::temp_directory_path() / ("rtlang-files-test-" + std::to_string(::getpid()))) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
-  ~Folder() { fs::remove_all(path_); }
+  ~DiskFolder() { fs::remove_all(path_); }
   std::string write(const std::string& name, const std::string& text) const {
     fs::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name) << text;
@@ -45,11 +65,11 @@ std::size_t objects(const Loaded& loaded) {
 } // namespace
 
 TEST_CASE("files: include splices, with its own lines and names") {
-  const Folder folder;
+  Folder folder;
   folder.write("parts/walls.rtl",
                "brick = material { color: firebrick }\n\nbox { material: brick }\nbackground: navy\n");
   const std::string main = folder.write("main.rtl", "include \"parts/walls.rtl\"\nsphere { material: brick }\n");
-  const Loaded loaded = load_file(main, {});
+  const Loaded loaded = folder.load(main);
   CHECK(objects(loaded) == 2);
   const scene::Origin origin = loaded.scene->objects[0].origin;
   CHECK(loaded.scene->files[origin.file] == "parts/walls.rtl");
@@ -58,58 +78,56 @@ TEST_CASE("files: include splices, with its own lines and names") {
 }
 
 TEST_CASE("files: an included file may include its neighbours, and functions may come after their use") {
-  const Folder folder;
+  Folder folder;
   folder.write("lib/a.rtl", "include \"b.rtl\"\nsphere { radius: size() }\n");
   folder.write("lib/b.rtl", "fn size() = twice(2)\n");
-  const Loaded loaded = load_file(folder.write("main.rtl", "include \"lib/a.rtl\"\nfn twice(x) = 2 * x\n"), {});
+  const Loaded loaded = folder.load_main("include \"lib/a.rtl\"\nfn twice(x) = 2 * x\n");
   CHECK(objects(loaded) == 1);
   CHECK(loaded.scene->shapes.all<scene::Sphere>()[0].radius == 4);
 }
 
 TEST_CASE("files: use gives names and places nothing") {
-  const Folder folder;
+  Folder folder;
   folder.write("lib.rtl", "background: red\nheight = 3\nfn double(x) = 2 * x\ndef post(h = height) { box { size: [1, "
                           "h, 1] } }\nsphere {}\n");
-  const Loaded loaded =
-      load_file(folder.write("main.rtl", "use \"lib.rtl\" as lib\nuse \"lib.rtl\" as again\nlib.post {}\nlib.post { h: "
-                                         "lib.double(lib.height) }\nagain.post {}\n"),
-                {});
+  const Loaded loaded = folder.load_main("use \"lib.rtl\" as lib\nuse \"lib.rtl\" as again\nlib.post {}\nlib.post { h: "
+                                         "lib.double(lib.height) }\nagain.post {}\n");
   CHECK(objects(loaded) == 3);
   CHECK(loaded.scene->background == black);
   CHECK(loaded.scene->shapes.all<scene::Box>().size() == 2); // the same module: the first post and the third are one
-  CHECK(errors(load_file(folder.write("wrong.rtl", "use \"lib.rtl\" as lib\nsphere { radius: height }\nlib.pole {}\n"),
-                         {})) == Codes{"E0201", "E0212"});
+  CHECK(errors(folder.load(
+            folder.write("wrong.rtl", "use \"lib.rtl\" as lib\nsphere { radius: height }\nlib.pole {}\n"))) ==
+        Codes{"E0201", "E0212"});
 }
 
 TEST_CASE("files: modules use modules") {
-  const Folder folder;
+  Folder folder;
   folder.write("inner.rtl", "r = 4\n");
   folder.write("outer.rtl", "use \"inner.rtl\" as inner\nball = sphere { radius: inner.r }\n");
-  const Loaded loaded =
-      load_file(folder.write("main.rtl", "use \"outer.rtl\" as o\no.ball\nsphere { radius: o.inner.r }\n"), {});
+  const Loaded loaded = folder.load_main("use \"outer.rtl\" as o\no.ball\nsphere { radius: o.inner.r }\n");
   CHECK(objects(loaded) == 2);
   CHECK(loaded.scene->shapes.all<scene::Sphere>()[1].radius == 4);
 }
 
 TEST_CASE("files: cycles are told") {
-  const Folder folder;
+  Folder folder;
   folder.write("a.rtl", "include \"b.rtl\"\n");
   folder.write("b.rtl", "use \"a.rtl\" as a\n");
-  CHECK(errors(load_file((folder.path() / "a.rtl").string(), {})) == Codes{"E0602"});
-  CHECK(errors(load_file(folder.write("self.rtl", "include \"self.rtl\"\n"), {})) == Codes{"E0602"});
+  CHECK(errors(folder.load("/scene/a.rtl")) == Codes{"E0602"});
+  CHECK(errors(folder.load(folder.write("self.rtl", "include \"self.rtl\"\n"))) == Codes{"E0602"});
   folder.write("u.rtl", "use \"v.rtl\" as v\n");
   folder.write("v.rtl", "use \"u.rtl\" as u\n");
-  CHECK(errors(load_file(folder.write("main.rtl", "use \"u.rtl\" as u\nsphere {}\n"), {})) == Codes{"E0602"});
+  CHECK(errors(folder.load_main("use \"u.rtl\" as u\nsphere {}\n")) == Codes{"E0602"});
 }
 
 TEST_CASE("files: an included pipe is refused, not waited for") {
-  const Folder folder;
+  const DiskFolder folder;
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
   CHECK(errors(load_file(folder.write("main.rtl", "include \"pipe\"\n"), {})) == Codes{"E0601"});
 }
 
 TEST_CASE("files: nothing outside of the scene's folder is read, not even through a link") {
-  const Folder folder;
+  const DiskFolder folder;
   folder.write("secret.rtl", "sphere {}\n");
   folder.write("scene/inside.rtl", "sphere {}\n");
   fs::create_symlink(folder.path() / "secret.rtl", folder.path() / "scene/link.rtl");
@@ -131,7 +149,7 @@ TEST_CASE("files: nothing outside of the scene's folder is read, not even throug
 }
 
 TEST_CASE("files: where a file is missing, one of a like name is told, but not from outside of the scene's folder") {
-  const Folder folder;
+  const DiskFolder folder;
   folder.write("secret.rtl", "");
   folder.write("scene/walls.rtl", "");
   folder.write("scene/a.rtl", "");
@@ -160,7 +178,7 @@ TEST_CASE("files: where a file is missing, one of a like name is told, but not f
 }
 
 TEST_CASE("files: a folder is no file, and a missing scene is an exception") {
-  const Folder folder;
+  const DiskFolder folder;
   folder.write("sub/x.rtl", "");
   CHECK(errors(load_file(folder.write("main.rtl", "include \"sub\"\n"), {})) == Codes{"E0601"});
   CHECK_THROWS_AS(load_file((folder.path() / "missing.rtl").string(), {}), std::system_error);
@@ -168,9 +186,11 @@ TEST_CASE("files: a folder is no file, and a missing scene is an exception") {
 }
 
 TEST_CASE("files: a text that is no file includes from the folder it is given") {
-  const Folder folder;
+  Folder folder;
   folder.write("part.rtl", "sphere {}\n");
-  CHECK(load_text("include \"part.rtl\"", "-", folder.path().string(), {}).scene->objects.size() == 1);
+  LoadOptions options;
+  options.files = &folder.files();
+  CHECK(load_text("include \"part.rtl\"", "-", "/scene", options).scene->objects.size() == 1);
 }
 
 TEST_CASE("params: the command line sets them") {

@@ -1,6 +1,6 @@
 // The rules of the lint that the text alone shows. Each has a scene that breaks it and ones that nearly do.
 
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 #include "tests/support/loading.hpp"
 
 #include <catch2/catch.hpp>

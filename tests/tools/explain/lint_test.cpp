@@ -1,7 +1,7 @@
 // The rules of the lint that look at a scene's description and its rays. Each has a scene that breaks it and near
 // misses.
 
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 #include "tests/paths.hpp"
 #include "tests/support/program.hpp"
 #include "tools/explain/lint/lint.hpp"

@@ -1,6 +1,6 @@
 #include "tools/explain/lint/lint.hpp"
 
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 #include "lang/text/suggest.hpp"
 #include "lang/text/tokens.hpp"
 #include "tools/explain/lint/lint_parts.hpp"

@@ -1,4 +1,4 @@
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
 #include "tools/terminal/console.hpp"

@@ -1,4 +1,4 @@
-#include "lang/check/lint.hpp"
+#include "lang/check/lint/rules.hpp"
 
 #include "lang/text/suggest.hpp"
 #include "lang/text/tokens.hpp"

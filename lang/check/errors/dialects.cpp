@@ -1,4 +1,4 @@
-#include "lang/check/dialects.hpp"
+#include "lang/check/errors/dialects.hpp"
 
 #include <fmt/format.h>
 

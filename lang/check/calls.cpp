@@ -1,0 +1,129 @@
+#include "lang/check/calls.hpp"
+
+#include "lang/check/errors/call_errors.hpp"
+#include "lang/values/value.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace rt::lang {
+namespace {
+
+/// A parameter of a function of either sort.
+struct CalledParameter {
+  std::string_view name;
+  bool is_required = true;
+  std::optional<Referent> target; ///< what an argument of its name refers to
+};
+
+std::vector<CalledParameter> parameters_of(CheckContext& context, const FunctionInfo& function) {
+  std::vector<CalledParameter> parameters;
+  for (const FunctionInfo::Parameter& p : function.parameters) {
+    parameters.push_back({context.name(p.name), p.default_value == no_node, {}});
+    if (p.declaration != no_declaration) parameters.back().target = p.declaration;
+  }
+  return parameters;
+}
+
+std::vector<CalledParameter> parameters_of(CheckContext&, const Builtin& builtin) {
+  std::vector<CalledParameter> parameters;
+  for (const SignatureParameter& p : builtin.signature) parameters.push_back({p.name, !p.is_optional, &p});
+  return parameters;
+}
+
+bool has_rest(const FunctionInfo&) {
+  return false;
+}
+
+bool has_rest(const Builtin& builtin) {
+  return builtin.signature.has_rest();
+}
+
+errors::Callee describe(CheckContext& context, const FunctionInfo& function) {
+  std::vector<std::string_view> names;
+  for (const FunctionInfo::Parameter& p : function.parameters) names.push_back(context.name(p.name));
+  return {function.name == no_symbol ? "this function" : fmt::format("`{}`", context.name(function.name)),
+          {function.unit->ast.span(function.node), fmt::format("it takes ({})", fmt::join(names, ", "))},
+          count_of_arguments(names.size())};
+}
+
+errors::Callee describe(CheckContext&, const Builtin& builtin) {
+  return {fmt::format("`{}`", builtin.name),
+          {std::nullopt, fmt::format("{}({})", builtin.name, builtin.signature.text())},
+          "at most " + count_of_arguments(builtin.signature.size())};
+}
+
+template <class AnyFunction>
+void check_arguments(CheckContext& context, const Unit& unit, NodeId call, const AnyFunction& function) {
+  const std::vector<CalledParameter> parameters = parameters_of(context, function);
+  std::vector<bool> is_given(parameters.size());
+  std::size_t positional = 0;
+  for (const NodeId argument : unit.ast.call(call).arguments) {
+    if (unit.ast.kind(argument) != Kind::argument) {
+      if (positional >= parameters.size() && !has_rest(function))
+        return errors::too_many_arguments(context, unit.ast.span(argument), describe(context, function));
+      is_given[std::min(positional++, parameters.size() - 1)] = true;
+      continue;
+    }
+    const std::string_view word = context.name(unit.ast.named(argument).symbol);
+    const Span span = unit.ast.named_span(argument, context.program.symbols);
+    const auto found = std::ranges::find(parameters, word, &CalledParameter::name);
+    if (found == parameters.end()) {
+      std::vector<std::string_view> names;
+      for (const CalledParameter& p : parameters) names.push_back(p.name);
+      return errors::unknown_parameter(context, span, describe(context, function), word, names);
+    }
+    if (found->target) context.program.references.add(span, *found->target, Reference::Use::sets);
+    const auto i = static_cast<std::size_t>(found - parameters.begin());
+    if (is_given[i]) return errors::argument_given_twice(context, span, describe(context, function), word);
+    is_given[i] = true;
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!is_given[i] && parameters[i].is_required)
+      return errors::missing_argument(context, unit.ast.span(call), describe(context, function), parameters[i].name);
+  }
+}
+
+} // namespace
+
+void check_arguments(CheckContext& context, const Unit& unit, NodeId call, const StaticType& callee) {
+  if (callee.what == StaticType::What::function && callee.function)
+    check_arguments(context, unit, call, *callee.function);
+  else if (callee.what == StaticType::What::builtin)
+    check_arguments(context, unit, call, *callee.builtin);
+  else if (callee.is_thing() && callee.is_bare_noun)
+    errors::thing_is_called(context, unit, call, callee);
+}
+
+FunctionInfo& add_function(CheckContext& context, Unit& unit, NodeId node) {
+  const Function function = unit.ast.function(node);
+  const auto index = static_cast<std::uint32_t>(context.program.functions.size());
+  FunctionInfo& info = context.program.functions.emplace_back();
+  info.unit = &unit;
+  info.node = node;
+  info.kind = unit.ast.kind(node);
+  if (function.name != no_node) info.name = unit.ast.symbol(function.name);
+  info.body = function.body;
+  for (const NodeId item : function.parameters) {
+    if (unit.ast.kind(item) != Kind::parameter) continue;
+    const Parameter parameter = unit.ast.parameter(item);
+    info.parameters.push_back({unit.ast.symbol(parameter.name), 0, parameter.default_value, parameter.name});
+  }
+  set_function_index(unit.ast[node], index);
+  return info;
+}
+
+bool is_ray_question(const CheckContext& context, const Unit& unit, NodeId node) {
+  if (unit.ast.kind(node) == Kind::error) return true; // reported
+  if (unit.ast.kind(node) != Kind::call) return false;
+  const NodeId callee = unit.ast.call(node).callee;
+  if (unit.ast.kind(callee) != Kind::name) return false;
+  const std::string_view word = context.name(unit.ast.symbol(callee));
+  return word == "pixel" || word == "image_point" || word == "ray";
+}
+
+} // namespace rt::lang

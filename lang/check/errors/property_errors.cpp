@@ -1,0 +1,76 @@
+#include "lang/check/errors/property_errors.hpp"
+
+#include "lang/check/errors/dialects.hpp"
+#include "lang/text/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rt::lang::errors {
+namespace {
+
+std::vector<std::string_view> properties_of(CheckContext& context, const Owner& owner) {
+  std::vector<std::string_view> names;
+  if (owner.def && !owner.is_def_body) {
+    for (const FunctionInfo::Parameter& p : owner.def->parameters) names.push_back(context.name(p.name));
+  }
+  for (const Property& p : owner.type->properties) names.push_back(p.name);
+  return names;
+}
+
+/// Where the property belongs, when that is known to be elsewhere; else empty.
+std::string better_place(CheckContext& context, const Unit& unit, const Named& property, const Owner& owner) {
+  const std::string_view word = context.name(property.symbol);
+  const std::string_view value = context.text(unit.ast.span(property.value));
+  const bool is_short = value.size() <= 40 && value.find('\n') == std::string_view::npos;
+  const std::string_view shown = is_short ? value : "…";
+  const Kind kind = unit.ast.kind(property.value);
+  const bool is_thing = kind == Kind::override_ || kind == Kind::call || kind == Kind::lambda;
+  if (owner.type == &context.program.types.scene() && is_thing)
+    return fmt::format("to keep something for later, write `{} = …`", word);
+  if (!owner.type->is_shape()) return {};
+  if (word == "color" || word == "colour") return fmt::format("a colour is a material: write `material: {}`", shown);
+  if (context.program.types.material().find(property.symbol))
+    return fmt::format("it belongs to the material: `material: material {{ {}: {} }}`", word, shown);
+  return {};
+}
+
+} // namespace
+
+void property_without_thing(CheckContext& context, Span place, Symbol name) {
+  const std::string_view word = context.name(name);
+  context.report.error("E0213", place,
+                       fmt::format("`{}:` sets a property, and there is no thing here that has one", word),
+                       fmt::format("to bind a name, write `{} = …`", word));
+}
+
+void unknown_property(CheckContext& context, const Unit& unit, NodeId item, const Owner& owner) {
+  const Named property = unit.ast.named(item);
+  const std::string_view word = context.name(property.symbol);
+  const bool is_scene = owner.type == &context.program.types.scene();
+  const std::string whose =
+      is_scene ? "the scene" : fmt::format("`{}`", owner.def ? context.name(owner.def->name) : owner.type->name);
+  std::string label = better_place(context, unit, property, owner);
+  std::vector<Note> notes;
+  if (label.empty()) {
+    const std::vector<std::string_view> names = properties_of(context, owner);
+    label = dialect_property(word, owner.type);
+    if (const auto guess = nearest(word, names); label.empty() && guess)
+      label = fmt::format("did you mean `{}`?", *guess);
+    notes.push_back({std::nullopt, fmt::format("{} takes {}", whose, fmt::join(names, ", "))});
+  }
+  context.report.error("E0204", unit.ast.named_span(item, context.program.symbols),
+                       fmt::format("{} has no property `{}`", whose, word), std::move(label), std::move(notes));
+}
+
+void property_set_twice(CheckContext& context, Span place, Symbol name, Span first) {
+  context.report.error("E0205", place, fmt::format("`{}` is written twice", context.name(name)), {},
+                       {{first, "first here"}});
+}
+
+void two_forms(CheckContext& context, Span place, std::string_view name, Span other_place, std::string_view other) {
+  context.report.error("E0206", place, fmt::format("`{}` and `{}` are two ways to say the same", other, name),
+                       "leave one of them out", {{other_place, "the other one is here"}});
+}
+
+} // namespace rt::lang::errors

@@ -31,8 +31,8 @@ struct action<word> : placed<action<word>> {
 template <>
 struct action<hash_comment> : placed<action<hash_comment>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t) {
-    state.report(syntax_error("E0112", state.span(begin, begin + 1), "`#` begins a colour, not a comment",
-                              "comments begin with `//`"));
+    state.report(errors::hash_comment(state.span(begin, begin + 1), "`#` begins a colour, not a comment",
+                                      "comments begin with `//`"));
   }
 };
 
@@ -72,8 +72,8 @@ template <>
 struct action<single_quoted> : placed<action<single_quoted>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     const std::string_view inner = state.text.substr(begin + 1, end - begin - 2);
-    state.report(syntax_error("E0113", state.span(begin, end), "strings are written in double quotes",
-                              "write `\"" + std::string(inner) + "\"`"));
+    state.report(errors::wrong_quotes(state.span(begin, end), "strings are written in double quotes",
+                                      "write `\"" + std::string(inner) + "\"`"));
     state.build.string(begin, end, std::string(inner));
   }
 };
@@ -260,8 +260,8 @@ struct action<argument_begin> : placed<action<argument_begin>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (state.text[end - 1] == '=') {
       const std::string name(state.text.substr(state.last.begin, state.last.end - state.last.begin));
-      state.report(syntax_error("E0137", state.span(end - 1, end), "a named argument is written with `:`",
-                                "write `" + name + ": …`"));
+      state.report(errors::equals_for_colon(state.span(end - 1, end), "a named argument is written with `:`",
+                                            "write `" + name + ": …`"));
     }
     state.build.open(begin, state.symbol());
   }
@@ -291,7 +291,7 @@ template <>
 struct action<default_sign> : placed<action<default_sign>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (state.text[begin] != ':') return;
-    state.report(syntax_error("E0137", state.span(begin, end), "a default value is written with `=`"));
+    state.report(errors::equals_for_colon(state.span(begin, end), "a default value is written with `=`"));
   }
 };
 struct closes_parameter {
@@ -305,8 +305,8 @@ struct action<parameter> : ends_here<closes_parameter> {};
 template <>
 struct action<no_parameters> : placed<action<no_parameters>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t) {
-    state.report(syntax_error("E0130", state.span(begin, begin + 1), "the parameters are missing",
-                              "write `()` before it where there are none"));
+    state.report(errors::missing_parameters(state.span(begin, begin + 1), "the parameters are missing",
+                                            "write `()` before it where there are none"));
   }
 };
 
@@ -316,7 +316,7 @@ struct action<arrow> : placed<action<arrow>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 2) return;
     state.report(
-        syntax_error("E0129", state.span(begin, end), "a function without a name needs `=>`", "`fn (x) => x * x`"));
+        errors::misplaced_arrow(state.span(begin, end), "a function without a name needs `=>`", "`fn (x) => x * x`"));
   }
 };
 template <>
@@ -324,7 +324,7 @@ struct action<function_sign> : placed<action<function_sign>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 1) return;
     state.report(
-        syntax_error("E0129", state.span(begin, end), "`=>` belongs to a function without a name", "write `=`"));
+        errors::misplaced_arrow(state.span(begin, end), "`=>` belongs to a function without a name", "write `=`"));
   }
 };
 struct closes_lambda {

@@ -9,8 +9,8 @@ namespace rt::lang::grammar {
 
 struct brace_stands_alone : placed<brace_stands_alone> {
   static void at(ParseState& state, std::uint32_t, std::uint32_t end) {
-    state.report(syntax_error("E0115", state.span(end, end + 1), "a line cannot begin with `{`",
-                              "it stands on the line of what it belongs to"));
+    state.report(errors::line_begins_with_brace(state.span(end, end + 1), "a line cannot begin with `{`",
+                                                "it stands on the line of what it belongs to"));
   }
 };
 template <>
@@ -20,8 +20,8 @@ struct action<brace_on_new_line> : brace_stands_alone {};
 template <>
 struct action<else_on_new_line> : placed<action<else_on_new_line>> {
   static void at(ParseState& state, std::uint32_t, std::uint32_t end) {
-    state.report(syntax_error("E0116", state.span(end - 4, end), "a line cannot begin with `else`",
-                              "it stands on the line of the brace before it"));
+    state.report(errors::else_without_if(state.span(end - 4, end), "a line cannot begin with `else`",
+                                         "it stands on the line of the brace before it"));
   }
 };
 
@@ -34,15 +34,15 @@ struct action<items_begin> {
 template <>
 struct action<foreign_variable> : placed<action<foreign_variable>> {
   static void at(ParseState& state, std::uint32_t, std::uint32_t) {
-    state.report(syntax_error("E0121", state.span(state.last.begin, state.last.end),
-                              "no word comes before the name that is bound", "write `name = value`"));
+    state.report(errors::foreign_statement(state.span(state.last.begin, state.last.end),
+                                           "no word comes before the name that is bound", "write `name = value`"));
   }
 };
 template <>
 struct action<foreign_function> {
   static void apply0(ParseState& state) {
-    state.report(syntax_error("E0121", state.span(state.last.begin, state.last.end), "a function is declared with `fn`",
-                              "`fn name(x) = x * x`"));
+    state.report(errors::foreign_statement(state.span(state.last.begin, state.last.end),
+                                           "a function is declared with `fn`", "`fn name(x) = x * x`"));
     state.build.open(state.last.begin);
   }
 };

@@ -30,8 +30,8 @@ std::optional<Diagnostic> not_utf8(const SourceFile& source, FileId file) {
   if (!at) return std::nullopt;
   const auto begin = static_cast<std::uint32_t>(*at);
   const auto byte = static_cast<unsigned char>(source.text[*at]);
-  return syntax_error("E0124", {file, begin, begin + 1}, fmt::format("the byte 0x{:02x} here is no UTF-8", byte),
-                      "save the file in the encoding UTF-8");
+  return errors::not_utf8({file, begin, begin + 1}, fmt::format("the byte 0x{:02x} here is no UTF-8", byte),
+                          "save the file in the encoding UTF-8");
 }
 
 template <typename Rule>

@@ -57,8 +57,8 @@ void ParseState::deeper(std::uint32_t at) {
 }
 
 void ParseState::too_deep(std::uint32_t begin, std::uint32_t end) {
-  add(syntax_error("E0125", span(begin, end), "this is nested too deeply",
-                   "give inner parts names, or use a list or a loop"));
+  add(errors::nested_too_deep(span(begin, end), "this is nested too deeply",
+                              "give inner parts names, or use a list or a loop"));
 }
 
 ParseState::Closing ParseState::not_closed(std::uint32_t before, std::uint32_t at) {
@@ -108,7 +108,7 @@ void ParseState::fail(Expected expected, std::uint32_t at) {
   const std::size_t rest = text.find_first_not_of(" \t\r\n", at);
   if (!is_lexical && rest == std::string_view::npos && !open_.empty()) fail_at_end();
   report(explain_failure(place(at), expected));
-  throw SyntaxError{resume_after(text, at, diagnostics.back().code), expected == Expected::comment_end};
+  throw SyntaxError{resume_after(text, at, diagnostics.back()), expected == Expected::comment_end};
 }
 
 // With a unit, perhaps with a mistake.
@@ -215,7 +215,7 @@ void ParseState::close_record(std::uint32_t end) {
     Node& node = ast[build.part(i).node];
     if (node.kind == Kind::property || node.kind == Kind::error) continue;
     const auto complain_of = [&](Span item) {
-      report(syntax_error("E0132", item, "a record holds properties only", "write `name: value`"));
+      report(errors::item_in_record(item, "a record holds properties only", "write `name: value`"));
     };
     if (node.kind == Kind::repeat) {
       const Repeat& repeat = ast.repeats[node.a];
@@ -244,8 +244,8 @@ void ParseState::close_expect(std::uint32_t end) {
   const Claim claim = mark == no_symbol ? Claim::holds : static_cast<Claim>(mark);
   const auto misplaced = [&](std::uint32_t part, const char* words, const char* owners) {
     if (build.part(part).node == no_node) return;
-    report(syntax_error("E0139", span(build.part(part).begin, build.part(part).end),
-                        std::string("`") + words + "` belongs to " + owners));
+    report(errors::malformed_expect(span(build.part(part).begin, build.part(part).end),
+                                    std::string("`") + words + "` belongs to " + owners));
   };
   if (claim != Claim::hits) misplaced(2, "at t", "an expectation with `hits`");
   if (claim != Claim::hits && claim != Claim::near) misplaced(3, "within", "an expectation with `~`, or with `at t`");

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lang/syntax/ast_builder.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/syntax/parse.hpp"
 #include "lang/syntax/repeat_folder.hpp"
-#include "lang/syntax/syntax_errors.hpp"
 #include "lang/text/words.hpp"
 
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include "lang/diagnostics/diagnostic.hpp"
 #include "lang/syntax/ast_builder.hpp"
+#include "lang/syntax/errors/syntax_codes.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -55,8 +56,6 @@ struct SyntaxPlace {
 
 Diagnostic explain_failure(const SyntaxPlace& place, Expected expected);
 
-Diagnostic syntax_error(std::string_view code, Span span, std::string message, std::string label = "");
-
 // What comes from other languages.
 
 /// A word that begins a statement elsewhere; nothing for others.
@@ -81,8 +80,8 @@ std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std
 Diagnostic malformed_color(Span span, std::string_view text);
 Diagnostic bad_escape(Span string, std::string_view text, std::uint32_t offset);
 
-/// Where to look on after an error at `at`: behind what is not of the language at all.
-std::uint32_t resume_after(std::string_view text, std::uint32_t at, std::string_view code);
+/// Where to look on after the error at `at`: behind what is not of the language at all.
+std::uint32_t resume_after(std::string_view text, std::uint32_t at, const Diagnostic& error);
 
 /// Where parsing goes on after an error at `from`: at the separator or closing brace that ends the broken item.
 /// `open` are the brackets that were open within the item.

@@ -1,4 +1,4 @@
-#include "lang/syntax/syntax_errors.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/text/characters.hpp"
 #include "lang/text/literals.hpp"
 #include "lang/text/suggest.hpp"
@@ -31,8 +31,8 @@ Diagnostic unknown_unit(Span span, std::string_view text, std::uint32_t digits) 
   std::string label = fmt::format("lengths have no unit: write `{}`", number);
   if (const auto unit = nearest(suffix, units)) label = fmt::format("did you mean `{}{}`?", number, *unit);
   if (suffix == "f" || suffix == "d" || suffix == "u" || suffix == "l") label = fmt::format("write `{}`", number);
-  return syntax_error("E0109", {span.file, span.begin + digits, span.end}, fmt::format("there is no unit `{}`", suffix),
-                      std::move(label));
+  return errors::unknown_unit({span.file, span.begin + digits, span.end}, fmt::format("there is no unit `{}`", suffix),
+                              std::move(label));
 }
 
 } // namespace
@@ -47,37 +47,39 @@ Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_te
       const std::size_t begin = std::min(left.find_first_not_of(" \t", middle + 1), left.size());
       label = fmt::format("write `{} and {} {} …`", left, left.substr(begin), op_text);
     }
-    return syntax_error("E0117", op, "comparisons do not chain", std::move(label));
+    return errors::chained_operators(op, "comparisons do not chain", std::move(label));
   }
   case Complaint::chained_range:
-    return syntax_error("E0117", op, "ranges do not chain", "the step follows `by`: `0..10 by 2`");
+    return errors::chained_operators(op, "ranges do not chain", "the step follows `by`: `0..10 by 2`");
   case Complaint::misplaced_not:
-    return syntax_error("E0131", op, "`not` binds looser than the operator before it", "write `(not …)`");
+    return errors::loose_not(op, "`not` binds looser than the operator before it", "write `(not …)`");
   case Complaint::step_without_range:
-    return syntax_error("E0138", op, "`by` belongs to a range", "`0..10 by 2`");
+    return errors::by_without_range(op, "`by` belongs to a range", "`0..10 by 2`");
   case Complaint::none:
     break;
   }
-  return syntax_error("E0101", op, fmt::format("`{}` cannot stand here", op_text));
+  return errors::unexpected(op, fmt::format("`{}` cannot stand here", op_text));
 }
 
 Diagnostic foreign_operator(Span op, std::string_view op_text) {
   if (op_text == "=") {
-    return syntax_error("E0118", op, "`=` gives a name a value and cannot stand inside an expression", "`==` compares");
+    return errors::assignment_in_expression(op, "`=` gives a name a value and cannot stand inside an expression",
+                                            "`==` compares");
   }
   const std::string message =
       op_text == "+" ? "a number takes no `+` before it" : fmt::format("there is no operator `{}`", op_text);
-  return syntax_error("E0119", op, message, std::string(own_name(op_text)));
+  return errors::foreign_operator(op, message, std::string(own_name(op_text)));
 }
 
 std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std::uint32_t digits, double value) {
   const std::string_view suffix = text.substr(digits);
   if (text.starts_with('.')) {
-    return syntax_error("E0108", span, "a number begins with a digit", fmt::format("write `0{}`", text));
+    return errors::malformed_number(span, "a number begins with a digit", fmt::format("write `0{}`", text));
   }
   if (suffix.starts_with('.')) {
-    return syntax_error("E0108", span, "digits must follow the decimal point",
-                        fmt::format("write `{}` or `{}.0`", text.substr(0, digits), text.substr(0, digits)));
+    return errors::malformed_number(
+        span, "digits must follow the decimal point",
+        fmt::format("write `{}` or `{}.0`", text.substr(0, digits), text.substr(0, digits)));
   }
   const bool has_base = text.size() >= 2 && text[0] == '0' && digits == 1 &&
                         std::string_view("xXbBoO").find(text[1]) != std::string_view::npos;
@@ -87,17 +89,18 @@ std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std
     char* end = nullptr;
     const auto decimal = std::strtoull(digits_of_base.c_str(), &end, base);
     std::string label = *end == '\0' && !digits_of_base.empty() ? fmt::format("write `{}`", decimal) : "";
-    return syntax_error("E0110", span, "numbers are written in decimal", std::move(label));
+    return errors::number_not_decimal(span, "numbers are written in decimal", std::move(label));
   }
   if (suffix.starts_with('_')) {
     std::string plain(text);
     std::erase(plain, '_');
-    return syntax_error("E0110", span, "a number holds no `_`", fmt::format("write `{}`", plain));
+    return errors::number_not_decimal(span, "a number holds no `_`", fmt::format("write `{}`", plain));
   }
   if (suffix == "e" || suffix == "E") {
-    return syntax_error("E0108", span, "digits must follow the exponent's `e`", "a thousand is `1e3`");
+    return errors::malformed_number(span, "digits must follow the exponent's `e`", "a thousand is `1e3`");
   }
-  if (std::isinf(value)) return syntax_error("E0108", span, "this number is too large", "the largest is about 1.8e308");
+  if (std::isinf(value))
+    return errors::malformed_number(span, "this number is too large", "the largest is about 1.8e308");
   if (!suffix.empty() && degrees_per(suffix) == 0) return unknown_unit(span, text, digits);
   return std::nullopt;
 }
@@ -106,11 +109,11 @@ Diagnostic malformed_color(Span span, std::string_view text) {
   const std::string_view digits = text.substr(1);
   const auto wrong = std::find_if_not(digits.begin(), digits.end(), is_hex_digit);
   if (wrong != digits.end()) {
-    return syntax_error("E0111", span, fmt::format("`{}` is no hexadecimal digit", *wrong),
-                        "a colour is `#rgb` or `#rrggbb`");
+    return errors::malformed_color(span, fmt::format("`{}` is no hexadecimal digit", *wrong),
+                                   "a colour is `#rgb` or `#rrggbb`");
   }
-  return syntax_error("E0111", span, fmt::format("a colour has 3 or 6 digits, this one has {}", digits.size()),
-                      "`#rgb` or `#rrggbb`");
+  return errors::malformed_color(span, fmt::format("a colour has 3 or 6 digits, this one has {}", digits.size()),
+                                 "`#rgb` or `#rrggbb`");
 }
 
 Diagnostic bad_escape(Span string, std::string_view text, std::uint32_t offset) {
@@ -120,9 +123,9 @@ Diagnostic bad_escape(Span string, std::string_view text, std::uint32_t offset) 
   if (is_code_point && close != std::string_view::npos) length = static_cast<std::uint32_t>(close + 1 - offset);
   while (offset + length < text.size() && (text[offset + length] & 0xc0) == 0x80) ++length; // the whole character
   const std::uint32_t begin = string.begin + offset;
-  return syntax_error("E0107", {string.file, begin, begin + length},
-                      is_code_point ? "this names no character" : "there is no such escape",
-                      is_code_point ? "`\\u{e9}` is é" : "the escapes are `\\n`, `\\t`, `\\\"`, `\\\\` and `\\u{…}`");
+  return errors::unknown_escape(
+      {string.file, begin, begin + length}, is_code_point ? "this names no character" : "there is no such escape",
+      is_code_point ? "`\\u{e9}` is é" : "the escapes are `\\n`, `\\t`, `\\\"`, `\\\\` and `\\u{…}`");
 }
 
 } // namespace rt::lang

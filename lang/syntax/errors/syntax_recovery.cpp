@@ -1,4 +1,4 @@
-#include "lang/syntax/syntax_errors.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/text/tokens.hpp"
 #include "lang/text/words.hpp"
 
@@ -36,10 +36,10 @@ bool is_first_on_line(std::string_view text, std::uint32_t at) {
 
 } // namespace
 
-std::uint32_t resume_after(std::string_view text, std::uint32_t at, std::string_view code) {
+std::uint32_t resume_after(std::string_view text, std::uint32_t at, const Diagnostic& error) {
   const std::size_t end_of_line = std::min(text.find('\n', at), text.size());
-  if (code == "E0112") return static_cast<std::uint32_t>(end_of_line); // a comment
-  if (code == "E0135" && text[at] == '<') {                            // a vector, perhaps one of several
+  if (errors::is_hash_comment(error)) return static_cast<std::uint32_t>(end_of_line);
+  if (errors::is_vector_without_brackets(error) && text[at] == '<') { // perhaps one of several
     const std::size_t close = text.substr(0, end_of_line).rfind('>');
     if (close != std::string_view::npos && close > at) return static_cast<std::uint32_t>(close + 1);
   }

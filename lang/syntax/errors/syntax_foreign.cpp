@@ -1,6 +1,6 @@
 // What comes from other languages, and from word processors.
 
-#include "lang/syntax/syntax_errors.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/text/utf8.hpp"
 
 #include <fmt/format.h>
@@ -43,20 +43,22 @@ constexpr std::array directives{"declare"sv, "local"sv,  "include"sv, "version"s
 // Characters that look like one of the language.
 Diagnostic look_alike(Span span, std::string_view c, char32_t code) {
   if (code >= 0x2018 && code <= 0x201f) {
-    return syntax_error("E0123", span, "typographic quotes do not delimit a string", "write `\"`");
+    return errors::meaningless_character(span, "typographic quotes do not delimit a string", "write `\"`");
   }
-  if (code == 0xa0) return syntax_error("E0123", span, "a no-break space is no space here", "type the space anew");
+  if (code == 0xa0)
+    return errors::meaningless_character(span, "a no-break space is no space here", "type the space anew");
   if (code == 0x2212 || code == 0x2013) {
-    return syntax_error("E0123", span, fmt::format("`{}` is no minus sign", c), "write `-`");
+    return errors::meaningless_character(span, fmt::format("`{}` is no minus sign", c), "write `-`");
   }
   if (code == 0xd7 || code == 0xb7) {
-    return syntax_error("E0123", span, fmt::format("`{}` is no operator", c), "write `*`");
+    return errors::meaningless_character(span, fmt::format("`{}` is no operator", c), "write `*`");
   }
   if (is_control(code)) {
-    return syntax_error("E0123", span, fmt::format("a control character (U+{:04X}) stands here", std::uint32_t{code}));
+    return errors::meaningless_character(
+        span, fmt::format("a control character (U+{:04X}) stands here", std::uint32_t{code}));
   }
-  return syntax_error(
-      "E0123", span, fmt::format("`{}` has no meaning here", c),
+  return errors::meaningless_character(
+      span, fmt::format("`{}` has no meaning here", c),
       code < 0x80 ? "" : "names are made of a-z, A-Z, 0-9 and _; other letters stand in strings and comments");
 }
 
@@ -66,32 +68,32 @@ std::optional<Diagnostic> foreign_word(Span span, std::string_view word) {
   const auto* const found =
       std::find_if(statements.begin(), statements.end(), [&](const ForeignWord& f) { return f.word == word; });
   if (found == statements.end()) return std::nullopt;
-  return syntax_error("E0121", span, fmt::format("there is no `{}` here", word), std::string(found->way_out));
+  return errors::foreign_statement(span, fmt::format("there is no `{}` here", word), std::string(found->way_out));
 }
 
 Diagnostic unknown_character(Span span, std::string_view c) {
-  if (c == "'") return syntax_error("E0113", span, "strings are written in double quotes", "`\"text\"`");
+  if (c == "'") return errors::wrong_quotes(span, "strings are written in double quotes", "`\"text\"`");
   if (c == "?") {
-    return syntax_error("E0119", span, "there is no `?` here", "`if condition { a } else { b }` chooses a value");
+    return errors::foreign_operator(span, "there is no `?` here", "`if condition { a } else { b }` chooses a value");
   }
   if (c == "~") {
-    return syntax_error("E0119", span, "there is no `~` here",
-                        "`expect a ~ b` compares approximately, and nothing else does");
+    return errors::foreign_operator(span, "there is no `~` here",
+                                    "`expect a ~ b` compares approximately, and nothing else does");
   }
-  if (c == "!") return syntax_error("E0119", span, "there is no `!` here", "write `not`");
+  if (c == "!") return errors::foreign_operator(span, "there is no `!` here", "write `not`");
   return look_alike(span, c, decode(c).code_point);
 }
 
 Diagnostic misplaced_hash(Span span, std::string_view text) {
   const std::string_view word = text.substr(1);
   if (std::find(directives.begin(), directives.end(), word) == directives.end()) {
-    return syntax_error("E0112", span, "`#` begins a colour, not a comment", "comments begin with `//`");
+    return errors::hash_comment(span, "`#` begins a colour, not a comment", "comments begin with `//`");
   }
   const bool declares = word == "declare" || word == "local";
-  return syntax_error("E0121", span, fmt::format("`#{}` is no statement here", word),
-                      declares            ? "`name = value` gives a value a name"
-                      : word == "include" ? "`include \"file.rtl\"`"
-                                          : "there are no directives");
+  return errors::foreign_statement(span, fmt::format("`#{}` is no statement here", word),
+                                   declares            ? "`name = value` gives a value a name"
+                                   : word == "include" ? "`include \"file.rtl\"`"
+                                                       : "there are no directives");
 }
 
 } // namespace rt::lang

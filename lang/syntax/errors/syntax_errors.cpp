@@ -1,4 +1,4 @@
-#include "lang/syntax/syntax_errors.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 
 #include "lang/text/characters.hpp"
 #include "lang/text/tokens.hpp"
@@ -43,9 +43,9 @@ public:
     case Expected::expression:
       return expression();
     case Expected::end_of_expression:
-      return error("E0101", "expected the end, found " + found());
+      return error(errors::unexpected, "expected the end, found " + found());
     case Expected::property_colon:
-      return error("E0135", "a vector is written in square brackets",
+      return error(errors::vector_without_brackets, "a vector is written in square brackets",
                    fmt::format("write `{}: [x, y, z]`", word_of_item()));
     case Expected::closing_bracket:
       return closing_bracket();
@@ -62,28 +62,30 @@ public:
     case Expected::parameters:
       return parameters();
     case Expected::function_body:
-      return error("E0133", "a function's value is missing, found " + found(),
+      return error(errors::missing_function_value, "a function's value is missing, found " + found(),
                    "write `= value`, or a block whose last line is the value");
     case Expected::arrow:
-      return error("E0129", "a function without a name needs `=>`, found " + found(), "`fn (x) => x * x`");
+      return error(errors::misplaced_arrow, "a function without a name needs `=>`, found " + found(),
+                   "`fn (x) => x * x`");
     case Expected::path:
-      return error("E0134", "expected a file's path, found " + found(),
+      return error(errors::incomplete_statement, "expected a file's path, found " + found(),
                    "a path is a string: `" + word_of_item() + " \"parts.rtl\"`");
     case Expected::use_as:
-      return error("E0134", "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
+      return error(errors::incomplete_statement, "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
     case Expected::claim_t:
-      return error("E0139", "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
+      return error(errors::malformed_expect, "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
     case Expected::param_value:
-      return error("E0134", "a `param` needs a value to start from, found " + found(), "`param name = value`");
+      return error(errors::incomplete_statement, "a `param` needs a value to start from, found " + found(),
+                   "`param name = value`");
     case Expected::string_end:
       return string_end();
     case Expected::comment_end:
-      return syntax_error("E0106", {place_.file, place_.at - 2, place_.at}, "this comment is not closed",
-                          "expected `*/` before the end of the file");
+      return errors::unclosed_comment({place_.file, place_.at - 2, place_.at}, "this comment is not closed",
+                                      "expected `*/` before the end of the file");
     case Expected::line_not_led_by_sign:
       return led_by_operator();
     }
-    return error("E0101", "unexpected " + found());
+    return error(errors::unexpected, "unexpected " + found());
   }
 
 private:
@@ -139,8 +141,8 @@ private:
     return {place_.file, at, at};
   }
 
-  Diagnostic error(std::string_view code, std::string message, std::string label = "") const {
-    return syntax_error(code, found_span(), std::move(message), std::move(label));
+  Diagnostic error(errors::SyntaxError& make, std::string message, std::string label = "") const {
+    return make(found_span(), std::move(message), std::move(label));
   }
 
   // What is a mistake wherever it stands.
@@ -156,13 +158,14 @@ private:
     if (is_at_item_boundary() || expected_ == Expected::closing_bracket) {
       if (auto foreign = foreign_statement()) return foreign;
     }
-    if (found_is("=>")) return error("E0129", "`=>` belongs to a function without a name", "`fn (x) => x * x`");
+    if (found_is("=>"))
+      return error(errors::misplaced_arrow, "`=>` belongs to a function without a name", "`fn (x) => x * x`");
     if (found_.kind == TokenKind::name && is_reserved(classify(text(found_)))) return reserved_word();
     return std::nullopt;
   }
 
   Diagnostic stray_bracket() const {
-    return error("E0104", fmt::format("nothing is open that this {} would close", found()));
+    return error(errors::bracket_without_partner, fmt::format("nothing is open that this {} would close", found()));
   }
 
   std::optional<Diagnostic> foreign_statement() const {
@@ -175,33 +178,35 @@ private:
   }
 
   Diagnostic reserved_name(Token token) const {
-    return syntax_error("E0120", {place_.file, token.begin, token.end},
-                        fmt::format("`{}` is a reserved word and cannot be a name", text(token)),
-                        "choose another name");
+    return errors::reserved_word({place_.file, token.begin, token.end},
+                                 fmt::format("`{}` is a reserved word and cannot be a name", text(token)),
+                                 "choose another name");
   }
 
   Diagnostic reserved_word() const {
     const std::string word(text(found_));
     if (word == "else") {
-      return error("E0116", "this `else` has no `if`", "`else` stands on the line of the brace that it follows");
+      return error(errors::else_without_if, "this `else` has no `if`",
+                   "`else` stands on the line of the brace that it follows");
     }
     const bool needs_name = expected_ == Expected::name || expected_ == Expected::property_name;
     const Token next = token_from(found_.end);
     const bool is_used_as_name = text(next) == ":" || text(next) == "=";
     if (needs_name || (expected_ == Expected::item && is_used_as_name)) return reserved_name(found_);
     if (expected_ == Expected::expression && (word == "if" || word == "fn")) {
-      return error("E0136", fmt::format("`{}` inside an expression stands in parentheses", word),
+      return error(errors::bare_if_or_fn, fmt::format("`{}` inside an expression stands in parentheses", word),
                    word == "if" ? "`(if a { b } else { c })`" : "`(fn (x) => x)`");
     }
     if (expected_ == Expected::expression && word == "for") {
-      return error("E0101", "`for` is no value", "`[x * x for x in xs]` makes a list");
+      return error(errors::unexpected, "`for` is no value", "`[x * x for x in xs]` makes a list");
     }
     if (expected_ == Expected::item && (word == "and" || word == "or" || word == "by")) return led_by_operator();
     if (expected_ == Expected::expression) {
-      return error("E0101", fmt::format("expected an expression, found `{}`", word), "it is a reserved word");
+      return error(errors::unexpected, fmt::format("expected an expression, found `{}`", word),
+                   "it is a reserved word");
     }
     if (expected_ == Expected::item) {
-      return error("E0120", fmt::format("`{}` is a reserved word and cannot stand here", word));
+      return error(errors::reserved_word, fmt::format("`{}` is a reserved word and cannot stand here", word));
     }
     return missing_separator();
   }
@@ -209,30 +214,32 @@ private:
   Diagnostic led_by_operator() const {
     const std::string op = found();
     if (!place_.follows_line) {
-      return error("E0101", fmt::format("{} has nothing on its left", op));
+      return error(errors::unexpected, fmt::format("{} has nothing on its left", op));
     }
     const std::string way_out = found_is("-") ? "; a negative value on a line of its own stands in parentheses" : "";
-    return error("E0114", fmt::format("a line cannot begin with {}", op),
+    return error(errors::line_begins_with_operator, fmt::format("a line cannot begin with {}", op),
                  fmt::format("to continue the line before, end that line with {}{}", op, way_out));
   }
 
   Diagnostic item() const {
     if (found_.kind == TokenKind::separator) {
-      return error("E0122", fmt::format("there is nothing before this {}", found()));
+      return error(errors::nothing_between_separators, fmt::format("there is nothing before this {}", found()));
     }
     if (found_is(".") && !place_.follows_line) {
-      return error("E0114", "this `.` has nothing before it", "a line that begins with `.` continues the thing before");
+      return error(errors::line_begins_with_operator, "this `.` has nothing before it",
+                   "a line that begins with `.` continues the thing before");
     }
     if (found_is(":") || found_is("=")) {
-      return error("E0127", fmt::format("a name is missing before {}", found()));
+      return error(errors::missing_name, fmt::format("a name is missing before {}", found()));
     }
     if (found_.kind == TokenKind::symbol) return led_by_operator();
-    return error("E0101", "expected a thing, a property or a name, found " + found());
+    return error(errors::unexpected, "expected a thing, a property or a name, found " + found());
   }
 
   Diagnostic item_end() const {
     if (found_is(":")) {
-      return error("E0127", "what stands before `:` must be a name", "a property is written `name: value`");
+      return error(errors::missing_name, "what stands before `:` must be a name",
+                   "a property is written `name: value`");
     }
     return missing_separator();
   }
@@ -242,91 +249,96 @@ private:
                               expected_ == Expected::item_end && found_.kind != TokenKind::symbol;
     if (is_lone_name) {
       const std::string_view value = place_.text.substr(found_.begin, found_.end - found_.begin);
-      return error("E0102", fmt::format("`:` is missing between `{}` and its value", text(first_)),
+      return error(errors::missing_separator, fmt::format("`:` is missing between `{}` and its value", text(first_)),
                    found_.kind == TokenKind::open ? fmt::format("write `{}: …`", text(first_))
                                                   : fmt::format("write `{}: {}`", text(first_), value));
     }
-    if (found_.kind == TokenKind::symbol) return error("E0101", "unexpected " + found());
-    return error("E0102", fmt::format("a separator is missing before {}", found()), "expected a comma or a new line");
+    if (found_.kind == TokenKind::symbol) return error(errors::unexpected, "unexpected " + found());
+    return error(errors::missing_separator, fmt::format("a separator is missing before {}", found()),
+                 "expected a comma or a new line");
   }
 
   Diagnostic closing_bracket() const {
     const OpenBracket open = place_.open.back();
     if (open.bracket == '(' && found_is(",")) {
-      return error("E0135", "parentheses hold one value", "a vector is written `[x, y, z]`");
+      return error(errors::vector_without_brackets, "parentheses hold one value", "a vector is written `[x, y, z]`");
     }
     if (found_is(":") && open.bracket == '[') {
-      return error("E0103", "a list holds no properties", "is the list not closed, or is `{ name: value }` meant?");
+      return error(errors::open_bracket, "a list holds no properties",
+                   "is the list not closed, or is `{ name: value }` meant?");
     }
-    if (found_.kind == TokenKind::symbol) return error("E0101", "unexpected " + found());
-    return error("E0102", fmt::format("a comma is missing before {}", found()),
+    if (found_.kind == TokenKind::symbol) return error(errors::unexpected, "unexpected " + found());
+    return error(errors::missing_separator, fmt::format("a comma is missing before {}", found()),
                  fmt::format("expected `,` or `{}`", open.bracket == '(' ? ')' : ']'));
   }
 
   Diagnostic expression() const {
     const bool is_value = before_is(":") || before_is("=") || before_is("(") || before_is("[") || before_is(",");
     if (found_is("<") && is_value) {
-      return error("E0135", "a vector is written in square brackets", "`[x, y, z]`");
+      return error(errors::vector_without_brackets, "a vector is written in square brackets", "`[x, y, z]`");
     }
     if (found_is("=") && before_.kind == TokenKind::symbol && before_.end == found_.begin) {
-      return syntax_error("E0119", {place_.file, before_.begin, found_.end},
-                          fmt::format("there is no `{}=`", text(before_)), "a name keeps its value");
+      return errors::foreign_operator({place_.file, before_.begin, found_.end},
+                                      fmt::format("there is no `{}=`", text(before_)), "a name keeps its value");
     }
     if (found_is(">") && before_is("-")) {
-      return error("E0119", "there is no `->` here", "a function without a name is written `fn (x) => x * x`");
+      return error(errors::foreign_operator, "there is no `->` here",
+                   "a function without a name is written `fn (x) => x * x`");
     }
     if (found_.kind == TokenKind::separator && before_.kind == TokenKind::separator) {
-      return error("E0122", fmt::format("there is nothing before this {}", found()));
+      return error(errors::nothing_between_separators, fmt::format("there is nothing before this {}", found()));
     }
     if (item_tokens_ == 0 || before_.kind == TokenKind::separator)
-      return error("E0101", "expected an expression, found " + found());
-    return error("E0101", fmt::format("expected an expression after {}, found {}", quoted(text(before_)), found()));
+      return error(errors::unexpected, "expected an expression, found " + found());
+    return error(errors::unexpected,
+                 fmt::format("expected an expression after {}, found {}", quoted(text(before_)), found()));
   }
 
   Diagnostic name(std::string message) const {
     const bool is_loop = word_of_item() == "for" && before_is("for");
     if (is_loop && found_is("(")) {
-      return error("E0121", "a `for` goes through the elements of something",
+      return error(errors::foreign_statement, "a `for` goes through the elements of something",
                    "`for i in 0..9 { … }`, without parentheses");
     }
     if (found_.kind == TokenKind::number && expected_ == Expected::property_name) {
-      if (earlier_.kind == TokenKind::number) return error("E0108", "a number has one decimal point");
-      return error("E0127", std::move(message), "`[ ]` takes an element: `list[0]`");
+      if (earlier_.kind == TokenKind::number) return error(errors::malformed_number, "a number has one decimal point");
+      return error(errors::missing_name, std::move(message), "`[ ]` takes an element: `list[0]`");
     }
-    return error("E0127", std::move(message));
+    return error(errors::missing_name, std::move(message));
   }
 
   Diagnostic block() const {
     std::string label = "expected `{`";
     if (found_is(":")) label = "a block is written in braces: `{ … }`";
     if (found_is("then") || found_is("do")) label = fmt::format("write `{{` in place of `{}`", text(found_));
-    return error("E0126", fmt::format("a block is missing, found {}", found()), label);
+    return error(errors::missing_block, fmt::format("a block is missing, found {}", found()), label);
   }
 
   Diagnostic head() const {
     const bool is_loop = before_is("in");
-    return error("E0101", fmt::format("expected an expression after {}, found {}", quoted(text(before_)), found()),
+    return error(errors::unexpected,
+                 fmt::format("expected an expression after {}, found {}", quoted(text(before_)), found()),
                  is_loop ? "a `for` needs a list or a range" : "an `if` needs a condition");
   }
 
   Diagnostic loop_in() const {
-    return error("E0128", fmt::format("`in` is missing, found {}", found()),
+    return error(errors::missing_in, fmt::format("`in` is missing, found {}", found()),
                  "`for x in xs { … }`, `for i, x in xs { … }`");
   }
 
   Diagnostic parameters() const {
     if (found_.kind == TokenKind::name && before_is("fn")) {
-      return error("E0129", "a function inside an expression has no name", "`fn (x) => x * x`");
+      return error(errors::misplaced_arrow, "a function inside an expression has no name", "`fn (x) => x * x`");
     }
-    return error("E0130", fmt::format("expected the parameters in parentheses, found {}", found()),
+    return error(errors::missing_parameters, fmt::format("expected the parameters in parentheses, found {}", found()),
                  "`()` where there are none");
   }
 
   Diagnostic string_end() const {
     const std::uint32_t begin = place_.at - 1;
     const auto end = static_cast<std::uint32_t>(std::min(place_.text.find_first_of("\r\n", begin), place_.text.size()));
-    return syntax_error("E0105", {place_.file, begin, end}, "this string is not closed",
-                        "expected `\"` before the end of the line");
+    return errors::unclosed_string({place_.file, begin, end}, "this string is not closed",
+                                   "expected `\"` before the end of the line");
   }
 
   const SyntaxPlace& place_;
@@ -340,25 +352,22 @@ private:
 
 } // namespace
 
-Diagnostic syntax_error(std::string_view code, Span span, std::string message, std::string label) {
-  return {Severity::error, std::string(code), std::move(message), span, std::move(label), {}, {}};
-}
-
 Diagnostic explain_failure(const SyntaxPlace& place, Expected expected) {
   return Explanation(place, expected).diagnostic();
 }
 
 Diagnostic unclosed_bracket(FileId file, OpenBracket bracket) {
   const char closing = bracket.bracket == '(' ? ')' : bracket.bracket == '[' ? ']' : '}';
-  return syntax_error("E0103", {file, bracket.at, bracket.at + 1},
-                      fmt::format("this `{}` is not closed", bracket.bracket), fmt::format("expected a `{}`", closing));
+  return errors::open_bracket({file, bracket.at, bracket.at + 1},
+                              fmt::format("this `{}` is not closed", bracket.bracket),
+                              fmt::format("expected a `{}`", closing));
 }
 
 Diagnostic mismatched_bracket(FileId file, OpenBracket bracket, std::uint32_t at, char found) {
   const char closing = bracket.bracket == '(' ? ')' : bracket.bracket == '[' ? ']' : '}';
-  Diagnostic diagnostic =
-      syntax_error("E0104", {file, at, at + 1}, fmt::format("`{}` does not close `{}`", found, bracket.bracket),
-                   fmt::format("expected `{}`", closing));
+  Diagnostic diagnostic = errors::bracket_without_partner(
+      {file, at, at + 1}, fmt::format("`{}` does not close `{}`", found, bracket.bracket),
+      fmt::format("expected `{}`", closing));
   diagnostic.notes.push_back(
       {Span{file, bracket.at, bracket.at + 1}, fmt::format("the `{}` is here", bracket.bracket)});
   return diagnostic;

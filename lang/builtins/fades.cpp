@@ -1,14 +1,12 @@
 #include "lang/builtins/builtins.hpp"
 
-#include <cmath>
-
 namespace rt::lang::builtins {
 namespace {
 
 template <scene::Fade::Law law>
 Value fade(BuiltinCall& c) {
   const double d = c.number(0);
-  if (!(d > 0) || !std::isfinite(d))
+  if (check(scene::positive, d))
     return c.fail(0, "the distance of a fade must be greater than 0", "this is " + format_number(d));
   return scene::Fade{law, d};
 }

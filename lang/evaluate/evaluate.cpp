@@ -1,11 +1,11 @@
 #include "lang/evaluate/evaluate.hpp"
 
-#include "lang/evaluate/compact.hpp"
 #include "lang/evaluate/deep_stack.hpp"
-#include "lang/evaluate/defaults.hpp"
 #include "lang/evaluate/evaluator.hpp"
 #include "lang/evaluate/evaluator_loops.hpp"
 #include "lang/values/css_colors.hpp"
+#include "renderer/scene/compact.hpp"
+#include "renderer/scene/defaults.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ Evaluated evaluate(Program& program, Report& report, const Limits& limits, const
 
 Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
                      const char* stack_limit)
-    : program_(program), report_(report), limits_(limits), stop_(stop), writer_(program.sources, scene_),
+    : program_(program), report_(report), limits_(limits), stop_(stop), writer_(program.sources, builder_),
       stack_limit_(stack_limit) {
   scene_properties_.type = &program.types.scene();
 }
@@ -209,17 +209,11 @@ void Evaluator::finish_scene() {
     if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0}))
       d->message = std::move(message);
   };
-  if (!camera_place_) {
-    scene_.camera = framing_camera(scene_);
-    note("N0001", "there is no camera: " + describe_camera(scene_.camera));
-  }
+  if (!camera_place_) note("N0001", assume_camera(scene_, finite_bounds(scene_)));
   bool has_ambient = false;
   for (const PropertyValue& p : scene_properties_.values)
     has_ambient |= scene_properties_.type->properties[p.id].name == "ambient";
-  if (scene_.lights.empty() && !has_ambient) {
-    scene_.lights.push_back(key_sun());
-    note("N0002", "there is no light: " + describe_sun(key_sun()));
-  }
+  if (scene_.lights.empty() && !has_ambient) note("N0002", assume_light(scene_));
 }
 
 // What no line calls is run once with values that are not known, so that mistakes in it are found now and not later.

@@ -236,6 +236,7 @@ private:
   std::optional<ObjectAttributes> attributes_of(const ThingView& described, const Content* content);
   std::optional<scene::ShapeRef> content_shape(Content& content, const NodeType& type, Span place);
   void remember_places(Span place);
+  void fail_flattened(Span place);
   void remark_medium(const ThingView& described, const Content* content, scene::ShapeRef made);
   bool is_operand(const ThingView& described, scene::ShapeRef made);
   void put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
@@ -284,7 +285,8 @@ private:
   const Limits& limits_;
   const std::atomic<bool>* stop_;
   Heap heap_;
-  scene::Scene scene_;
+  scene::Builder builder_;
+  scene::Scene& scene_ = builder_.scene;
   DescriptionWriter writer_;
 
   std::uint64_t steps_ = 0;

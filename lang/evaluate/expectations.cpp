@@ -198,13 +198,13 @@ bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
   scene::NameId wanted = scene::no_name;
   std::optional<scene::ShapeRef> shape;
   if (value.is(ValueKind::string)) {
-    wanted = writer_.name(value.text());
+    wanted = builder_.name(value.text());
   } else {
     const Thing& thing = value.thing();
     wanted = default_name(thing.default_name);
     for (const PropertyValue& p : thing.properties) {
       const bool is_name = (p.id & parameter_bit) == 0 && thing.type->properties[p.id].common == Common::name;
-      if (is_name) wanted = writer_.name(p.value.text());
+      if (is_name) wanted = builder_.name(p.value.text());
     }
     shape = thing.content ? thing.content->shape : thing.shape;
   }

@@ -146,21 +146,13 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   }
   if (!attributes->is_visible) return;
   const auto turn = writer_.transform(*attributes, described.chain);
-  if (!turn) {
-    fail("E0406", described.place,
-         "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
-    return;
-  }
+  if (!turn) return fail_flattened(described.place);
   if (inside && !inside->lights.empty()) put_lights_of(*inside, *attributes, described, target);
   if (inside && inside->is_nothing) return;
-  std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, type, described.place) : shape(described);
+  const std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, type, described.place) : shape(described);
   if (!made) return;
   if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
-  if (target.type && target.type->category == Category::combination) {
-    if (!is_operand(described, *made)) return;
-    made = writer_.united(*made);
-    remember_places(described.place);
-  }
+  if (target.type && target.type->category == Category::combination && !is_operand(described, *made)) return;
   count_objects(1, described.place);
   target.depth = std::max<std::uint16_t>(target.depth, inside ? inside->depth : 0);
   scene::Object& object = target.objects->emplace_back();
@@ -174,12 +166,17 @@ void Evaluator::put_shape(const ThingView& described, Target& target) {
   object.casts_shadow = attributes->casts_shadow;
 }
 
+void Evaluator::fail_flattened(Span place) {
+  fail("E0406", place,
+       "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
+}
+
 std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const NodeType& type, Span place) {
   if (content.shape) return content.shape;
   if (type.category == Category::group) {
-    content.shape = scene_.shapes.add(scene::Group{std::move(content.members)});
+    content.shape = builder_.group(std::move(content.members));
   } else {
-    content.shape = scene_.shapes.add(scene::Combination{type.operation, std::move(content.members)});
+    content.shape = builder_.combination(type.operation, std::move(content.members));
     remember_places(place);
   }
   content.members = {};
@@ -207,7 +204,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const PropertyValue* refract = thing.find(*thing.type->find(std::string_view("refract")));
   const PropertyValue* ior = thing.find(*thing.type->find(std::string_view("ior")));
   const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
-  if (!bends_nothing || !writer_.open_part(made).empty()) return;
+  if (!bends_nothing || !builder_.open_part(made).empty()) return;
   if (Diagnostic* d = report_.remark("W0106", refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
     d->label = "`ior` is 1 unless it is written";
@@ -216,7 +213,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
 }
 
 bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
-  const std::string_view open = writer_.open_part(made);
+  const std::string_view open = builder_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.type->name;
   fail("E0401", described.place,
@@ -258,6 +255,7 @@ void Evaluator::put_light(const ThingView& described, Target& target) {
   Room room(type.maker);
   if (!make(described, room.get())) return;
   const auto attributes = attributes_of(described, nullptr);
+  if (described.chain && scene::flattens({{1, 1, 1}, {}, {}, described.chain->steps})) return fail_flattened(described.place);
   count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
   light.source = type.maker.light(room.get());

@@ -1,11 +1,9 @@
 #include "lang/evaluate/evaluator.hpp"
+#include "renderer/scene/media_conflicts.hpp"
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace rt::lang {
-
 namespace {
 
 scene::Combination::Operation operation(Op op) {
@@ -74,6 +72,16 @@ void Evaluator::add_operand(const Value& value, Span place, Target& target) {
   put(value, place, inner);
   finish_content(*whole->content, type, inner, place);
   put_thing({whole->type, {}, nullptr, place, whole.get()}, target);
+}
+
+void Evaluator::check_media(const std::vector<scene::Object>& objects) {
+  for (const scene::MediaConflict& conflict : media_conflicts(scene_, objects)) {
+    fail("E0408", combination_places_[conflict.combination],
+         "the parts of this solid refract differently, and one solid is one medium",
+         fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first_ior),
+                     format_number(conflict.second_ior)),
+         "give the whole a material, or its parts the same `ior`");
+  }
 }
 
 } // namespace rt::lang

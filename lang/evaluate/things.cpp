@@ -1,8 +1,8 @@
 #include "lang/check/errors/dialects.hpp"
 #include "lang/evaluate/evaluator.hpp"
 #include "lang/evaluate/evaluator_loops.hpp"
-#include "lang/text/hashing.hpp"
 #include "lang/text/suggest.hpp"
+#include "renderer/math/hashing.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ scene::NameId Evaluator::default_name(Symbol symbol) {
   if (symbol == no_symbol) return scene::no_name;
   const auto i = static_cast<std::size_t>(symbol);
   if (i >= default_names_.size()) default_names_.resize(std::max(i + 1, program_.symbols.size()), scene::no_name);
-  if (default_names_[i] == scene::no_name) default_names_[i] = writer_.name(name(symbol));
+  if (default_names_[i] == scene::no_name) default_names_[i] = builder_.name(name(symbol));
   return default_names_[i];
 }
 
@@ -308,10 +308,7 @@ void Evaluator::finish_content(Content& content, const NodeType& type, const Tar
 // Goes on from what a composite holds already.
 void Evaluator::begin_with(const Content& old, const NodeType& type, Content& members, Target& target) {
   members.members = old.members;
-  if (old.shape && old.shape->kind == scene::kind_of<scene::Group>)
-    members.members = scene_.shapes.get<scene::Group>(*old.shape).members;
-  else if (old.shape)
-    members.members = scene_.shapes.get<scene::Combination>(*old.shape).operands;
+  if (old.shape) members.members = parts(scene_.shapes, *old.shape);
   members.lights = old.lights;
   target.depth = static_cast<std::uint16_t>(old.depth > 0 ? old.depth - 1 : 0);
   target.things = static_cast<std::uint32_t>(members.members.size() + members.lights.size()) + (old.is_cut ? 1U : 0U);

@@ -1,8 +1,8 @@
 #include "lang/session/session_scene.hpp"
 
-#include "lang/evaluate/defaults.hpp"
 #include "lang/session/session_text.hpp"
-#include "lang/text/hashing.hpp"
+#include "renderer/math/hashing.hpp"
+#include "renderer/scene/defaults.hpp"
 
 #include <fmt/format.h>
 
@@ -90,13 +90,9 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
   if (!has_camera) {
     Box3 box;
     for (const auto& chunk : document.chunks()) box.extend(chunk->finite_box);
-    scene.camera = framing_camera(box, scene.size);
-    note("N0001", "there is no camera: " + describe_camera(scene.camera));
+    note("N0001", assume_camera(scene, box));
   }
-  if (scene.lights.empty() && !has_ambient) {
-    scene.lights.push_back(key_sun());
-    note("N0002", "there is no light: " + describe_sun(key_sun()));
-  }
+  if (scene.lights.empty() && !has_ambient) note("N0002", assume_light(scene));
 }
 
 namespace {

@@ -132,8 +132,7 @@ NodeType pattern_noun(std::string_view noun_name, scene::PatternKind kind, std::
 NodeTypes::NodeTypes() {
   using Operation = scene::Combination::Operation;
   scene::ShapeKinds::for_each([&]<class S>() {
-    if constexpr (!std::is_same_v<S, scene::Group> && !std::is_same_v<S, scene::Combination>)
-      nouns_.push_back(shape_noun<S>());
+    if constexpr (!scene::is_composite<S>) nouns_.push_back(shape_noun<S>());
   });
   nouns_.push_back(composite_noun("group", Category::group, "things that are placed together"));
   nouns_.push_back(

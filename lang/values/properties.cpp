@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace rt::lang {
 namespace {
 
@@ -28,43 +26,13 @@ Mistake wrong_type(const Property& property, const Value& value) {
           "this is " + describe(value)};
 }
 
-std::string bounds_text(const scene::Constraint& c) {
-  const auto low = fmt::format("{} {}", c.min_is_excluded ? "greater than" : "at least", format_number(c.min));
-  const auto high = fmt::format("{} {}", c.max_is_excluded ? "less than" : "at most", format_number(c.max));
-  if (std::isinf(c.max)) return c.min == 0 && !c.min_is_excluded ? "must not be negative" : "must be " + low;
-  if (std::isinf(c.min)) return "must be " + high;
-  if (!c.min_is_excluded && !c.max_is_excluded)
-    return fmt::format("must be from {} to {}", format_number(c.min), format_number(c.max));
-  return fmt::format("must be {} and {}", low, high);
-}
-
-Mistake out_of_bounds(const Property& property, const std::string& rule, double number) {
-  return {"E0302", fmt::format("`{}` {}", property.name, rule), "this is " + format_number(number)};
-}
-
-std::optional<Mistake> check_number(const Property& property, double number) {
-  const scene::Constraint& c = property.constraint;
-  if (!std::isfinite(number)) {
-    return Mistake{"E0303", fmt::format("`{}` is not a finite number", property.name),
-                   "this is " + format_number(number)};
-  }
-  const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
-  const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
-  if (is_low || is_high) return out_of_bounds(property, bounds_text(c), number);
-  if (c.is_whole && number != std::floor(number)) return out_of_bounds(property, "must be a whole number", number);
-  return std::nullopt;
-}
-
-std::optional<Mistake> check_numbers(const Property& property, const Vec3& v, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (auto mistake = check_number(property, v[i])) return mistake;
-  }
-  return std::nullopt;
-}
-
-Mistake must_not_be_zero(const Property& property, bool is_scale) {
-  if (!is_scale) return {"E0302", fmt::format("`{}` must have a direction", property.name), "this has length 0"};
-  return {"E0406", fmt::format("`{}` must not be 0: that flattens the thing", property.name), "this is 0"};
+std::optional<Mistake> mistake_of(const Property& property, const std::optional<scene::Violation>& violation) {
+  using Kind = scene::Violation::Kind;
+  if (!violation) return std::nullopt;
+  const char* code = violation->kind == Kind::not_finite ? "E0303"
+                     : violation->kind == Kind::flattens ? "E0406"
+                                                         : "E0302";
+  return Mistake{code, fmt::format("`{}` {}", property.name, violation->rule), violation->found};
 }
 
 /// Why a value is no vector of three numbers.
@@ -82,22 +50,14 @@ Mistake no_vector(const Property& property, const Value& value) {
 
 std::optional<Mistake> check_vector(const Property& property, const Value& value) {
   if (!value.is_vector3()) return no_vector(property, value);
-  if (auto mistake = check_numbers(property, value.vector(), 3)) return mistake;
-  if (property.constraint.is_nonzero && length(value.vector()) == 0) return must_not_be_zero(property, false);
-  return std::nullopt;
+  return mistake_of(property, check(property.constraint, value.vector()));
 }
 
 std::optional<Mistake> check_size(const Property& property, const Value& value) {
-  Vec3 v{1, 1, 1};
-  if (value.is_number())
-    v = {value.number(), 1, 1};
-  else if (value.is_vector3())
-    v = value.vector();
-  else
-    return no_vector(property, value);
-  if (auto mistake = check_numbers(property, v, value.is_number() ? 1 : 3)) return mistake;
-  if (property.constraint.is_nonzero && v.x * v.y * v.z == 0) return must_not_be_zero(property, true);
-  return std::nullopt;
+  const bool is_number = value.is_number();
+  if (!is_number && !value.is_vector3()) return no_vector(property, value);
+  const Vec3 v = is_number ? Vec3{value.number(), value.number(), value.number()} : value.vector();
+  return mistake_of(property, check_size(property.constraint, v));
 }
 
 std::optional<Mistake> check_color(const Property& property, const Value& value) {
@@ -110,7 +70,7 @@ std::optional<Mistake> check_color(const Property& property, const Value& value)
       mistake.advice.push_back("a material has a colour of its own: `m.color`");
     return mistake;
   }
-  return check_numbers(property, {color->r, color->g, color->b}, 3);
+  return mistake_of(property, check(property.constraint, *color));
 }
 
 /// Patterns where a number is meant hold numbers, all the way down.
@@ -124,16 +84,11 @@ bool holds_numbers(const Thing& pattern) {
 }
 
 std::optional<Mistake> check_number_paint(const Property& property, const Value& value) {
-  if (value.is_number()) return check_number(property, value.number());
+  if (value.is_number()) return mistake_of(property, check(property.constraint, value.number()));
   if (!is_pattern(value)) return wrong_type(property, value);
   if (holds_numbers(value.thing())) return std::nullopt;
   return Mistake{"E0301", fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property.name),
                  "this holds a colour"};
-}
-
-std::string points_text(const scene::Constraint& c) {
-  if (c.min_count == c.max_count) return fmt::format("exactly {}", c.min_count);
-  return fmt::format("at least {}", c.min_count);
 }
 
 std::optional<Mistake> check_points(const Property& property, const Value& value) {
@@ -146,13 +101,9 @@ std::optional<Mistake> check_points(const Property& property, const Value& value
       return Mistake{"E0301", fmt::format("`{}` takes a list of points, each of three numbers", property.name),
                      fmt::format("element {} is {}", i, describe(point))};
     }
-    if (auto mistake = check_numbers(property, point.vector(), 3)) return mistake;
+    if (const auto violation = check(property.constraint, point.vector())) return mistake_of(property, violation);
   }
-  const auto count = static_cast<int>(std::min<std::size_t>(size, 1U << 30));
-  const scene::Constraint& c = property.constraint;
-  if (count >= c.min_count && count <= c.max_count) return std::nullopt;
-  return Mistake{"E0302", fmt::format("`{}` takes {} points", property.name, points_text(c)),
-                 fmt::format("this has {}", size)};
+  return mistake_of(property, check_count(property.constraint, size));
 }
 
 std::optional<Mistake> check_choice(const Property& property, const Value& value) {
@@ -169,7 +120,9 @@ std::optional<Mistake> check_choice(const Property& property, const Value& value
 
 std::optional<Mistake> check_resolution(const Property& property, const Value& value) {
   const bool is_pair = value.is(ValueKind::vector) && value.vector_size() == 2;
-  return is_pair ? check_numbers(property, value.vector(), 2) : std::optional(wrong_type(property, value));
+  if (!is_pair) return wrong_type(property, value);
+  const Vec3 size = value.vector();
+  return mistake_of(property, check(property.constraint, Vec3{size.x, size.y, size.y}));
 }
 
 std::optional<Mistake> require(bool is_fine, const Property& property, const Value& value) {
@@ -215,9 +168,7 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
   switch (property.type) {
   case PropertyType::number:
     if (!value.is_number()) return wrong_type(property, value);
-    if (auto mistake = check_number(property, value.number())) return mistake;
-    if (property.constraint.is_nonzero && value.number() == 0) return out_of_bounds(property, "must not be 0", 0);
-    return std::nullopt;
+    return mistake_of(property, check(property.constraint, value.number()));
   case PropertyType::boolean:
     return require(value.is(ValueKind::boolean), property, value);
   case PropertyType::vector:

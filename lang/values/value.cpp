@@ -1,8 +1,8 @@
 #include "lang/values/value.hpp"
 
-#include "lang/text/hashing.hpp"
 #include "lang/values/builtin.hpp"
 #include "lang/values/thing.hpp"
+#include "renderer/math/hashing.hpp"
 
 #include <fmt/format.h>
 
@@ -265,12 +265,6 @@ std::string describe(const Value& value) {
 
 std::string count_of_arguments(std::size_t count) {
   return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
-}
-
-std::string format_number(double number) {
-  if (std::isnan(number)) return "not a number";
-  if (std::isinf(number)) return number > 0 ? "infinity" : "-infinity";
-  return fmt::format("{}", number + 0.0);
 }
 
 } // namespace rt::lang

@@ -5,6 +5,7 @@
 #include "lang/values/heap.hpp"
 #include "renderer/fields/field.hpp"
 #include "renderer/math/color.hpp"
+#include "renderer/math/format_number.hpp"
 #include "renderer/math/vec3.hpp"
 
 #include <cassert>
@@ -214,8 +215,6 @@ std::uint64_t hash(const Value& value);
 std::string describe(const Value& value);
 /// "1 argument", "2 arguments".
 std::string count_of_arguments(std::size_t count);
-/// The shortest text that reads back as the number.
-std::string format_number(double number);
 /// As `str` gives it and a session prints it; `names` tells the names of records' fields.
 std::string format(const Value& value, const SymbolTable& names);
 

@@ -1,8 +1,9 @@
 #include "renderer/compile/compile.hpp"
 
 #include "renderer/compile/instancing.hpp"
+#include "renderer/scene/validate.hpp"
 
-#include <cassert>
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -23,6 +24,19 @@ struct ListFrame {
   std::size_t next = 0;
 };
 
+/// What is left of a list between and around its parts.
+std::vector<std::span<const scene::Object>> outside_of(std::span<const Part> parts,
+                                                       std::span<const scene::Object> objects) {
+  std::vector<std::span<const scene::Object>> ranges;
+  std::size_t begin = 0;
+  for (const Part& part : parts) {
+    ranges.push_back(objects.subspan(begin, part.begin - begin));
+    begin = part.end;
+  }
+  ranges.push_back(objects.subspan(begin));
+  return ranges;
+}
+
 } // namespace
 
 class Compiler {
@@ -31,7 +45,7 @@ public:
   Compiler(Compiled& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
            std::span<const Part> parts)
       : compiled_(compiled), bindings_(*compiled.bindings_), scene_(scene), objects_(objects), parts_(parts),
-        instancing_(scene, outside_of_parts()), solid_builder_(scene, *compiled.device_, bindings_),
+        instancing_(scene, outside_of(parts, objects)), solid_builder_(scene, *compiled.device_, bindings_),
         group_assemblies_(scene.shapes.all<scene::Group>().size()),
         shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
 
@@ -42,24 +56,13 @@ public:
   }
 
 private:
-  std::vector<std::span<const scene::Object>> outside_of_parts() const {
-    std::vector<std::span<const scene::Object>> stretches;
-    std::size_t begin = 0;
-    for (const Part& part : parts_) {
-      stretches.push_back(objects_.subspan(begin, part.begin - begin));
-      begin = part.end;
-    }
-    stretches.push_back(objects_.subspan(begin));
-    return stretches;
-  }
-
   const Aggregate* compile(std::span<const scene::Object> objects, BindingId binding, bool is_root = false) {
     compiled_.aggregates_.push_back(std::make_unique<Aggregate>());
     Aggregate& aggregate = *compiled_.aggregates_.back();
     aggregate_ = &aggregate;
     slot_count_ = 0;
     if (is_root)
-      for (const auto stretch : outside_of_parts()) reserve(stretch);
+      for (const auto stretch : outside_of(parts_, objects_)) reserve(stretch);
     else
       reserve(objects);
     next_part_ = is_root ? 0 : parts_.size();
@@ -129,10 +132,8 @@ private:
   void add_shape(const G& own, const Affine& map, LeafTag tag) {
     if (std::optional<G> here = placed(own, map))
       put<ShapeLeaves<Baked<G>>>(Baked<G>{std::move(*here)}, tag);
-    else if (const std::optional<Affine> to_local = inverse(map))
-      put<ShapeLeaves<Transformed<G>>>(Transformed<G>{own, map, *to_local}, tag);
     else
-      assert(false && "a transform must not flatten its shape");
+      put<ShapeLeaves<Transformed<G>>>(Transformed<G>{own, map, scene::inverse_of_nested(map)}, tag);
   }
 
   template <class Leaves, class Placed>
@@ -153,12 +154,11 @@ private:
     aggregate_->steps_.push_back({nullptr, 0, tag.slot, order, aggregate->leaf_count()});
     const Box3 box = transform_box(map, aggregate->box());
     if (box.is_empty()) return;
-    const std::optional<Affine> to_local = inverse(map);
-    assert(to_local && "a transform must not flatten its group");
+    const Affine to_local = scene::inverse_of_nested(map);
     InstanceLeaves& leaves = sets_for(box).all<InstanceLeaves>();
     aggregate_->steps_.back().leaves = &leaves;
     aggregate_->steps_.back().index = leaves.size();
-    leaves.add({aggregate, map, to_local.value_or(Affine{}), order}, tag);
+    leaves.add({aggregate, map, to_local, order}, tag);
   }
 
   void add_part(std::size_t index) {
@@ -185,16 +185,15 @@ private:
     }
     const Box3 box = is_shared ? solid->box(map) : solid->box();
     if (box.is_empty()) return;
-    const std::optional<Affine> to_local = inverse(map);
-    assert(to_local && "a transform must not flatten its solid");
-    sets_for(box).all<SolidLeaves>().add(
-        {solid, !is_shared, object.material != scene::no_material, map, to_local.value_or(Affine{}), box}, tag);
+    const Affine to_local = scene::inverse_of_nested(map);
+    sets_for(box).all<SolidLeaves>().add({solid, !is_shared, object.material != scene::no_material, map, to_local, box},
+                                         tag);
   }
 
   // Room for as many shapes as there are, so that the arrays of a large scene do not grow by doubling.
   void reserve(std::span<const scene::Object> objects) {
     scene::ShapeKinds::for_each([&]<class S>() {
-      if constexpr (!is_composite<S>) {
+      if constexpr (!scene::is_composite<S>) {
         std::size_t count = 0;
         for (const scene::Object& object : objects)
           count +=
@@ -251,11 +250,17 @@ private:
 };
 
 Compiled::Compiled(const scene::Scene& scene, int threads, bvh::Builder builder)
-    : device_(std::make_shared<bvh::Device>(threads, builder)), bindings_(std::make_shared<MaterialBindings>(scene)) {
+    : device_(std::make_shared<bvh::Device>(threads, builder)),
+      bindings_(std::make_shared<MaterialBindings>(validated(scene))) {
   Compiler(*this, scene, scene.objects, {}).run();
 }
 
 Compiled::Compiled(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache) {
+  require_none(validate_settings(scene));
+  std::vector<std::span<const scene::Object>> fresh = outside_of(parts, scene.objects);
+  for (const Part& part : parts)
+    if (!cache.knows(part)) fresh.push_back(std::span(scene.objects).subspan(part.begin, part.end - part.begin));
+  require_none(validate(scene, fresh));
   cache.begin(scene);
   device_ = cache.device_;
   bindings_ = cache.bindings_;
@@ -263,6 +268,10 @@ Compiled::Compiled(const scene::Scene& scene, std::span<const Part> parts, Compi
   cache.mark_ = bindings_->mark();
   cache.forget_unused();
   Compiler(*this, scene, scene.objects, parts).run();
+}
+
+bool CompileCache::knows(const Part& part) const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const CacheEntry& e) { return e.stamp == part.stamp; });
 }
 
 void CompileCache::begin(const scene::Scene& scene) {

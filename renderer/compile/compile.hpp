@@ -73,6 +73,7 @@ private:
     std::shared_ptr<const Compiled> compiled;
   };
 
+  bool knows(const Part& part) const;
   void begin(const scene::Scene& scene);
   std::shared_ptr<const Compiled> take(const scene::Scene& scene, const Part& part);
   void forget_unused();

@@ -5,11 +5,6 @@
 namespace rt {
 namespace {
 
-Box3 overlap(const Box3& a, const Box3& b) {
-  const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};
-  return both.is_empty() ? Box3{} : both;
-}
-
 // Lists are short and consist of sorted stretches. Equal distances stay in the order of declaration.
 void sort(std::vector<Boundary>& list, std::size_t begin) {
   for (std::size_t i = begin + 1; i < list.size(); ++i) {

@@ -1,6 +1,6 @@
 #include "renderer/compile/csg.hpp"
+#include "renderer/scene/validate.hpp"
 
-#include <cassert>
 #include <span>
 
 namespace rt {
@@ -18,7 +18,7 @@ bool dissolves(CsgSolid::Operation outer, CsgSolid::Operation inner, bool is_fir
 
 } // namespace
 
-// The members of a group or the operands of a combination, on the way through them.
+// The operands of a combination, on the way through them.
 struct CsgBuilder::ListFrame {
   std::span<const scene::Object> objects;
   std::uint32_t node;  // that they become children of
@@ -56,11 +56,11 @@ void CsgBuilder::visit(CsgSolid& solid, std::vector<ListFrame>& frames) {
   const auto source = static_cast<std::uint32_t>(solid.sources_.size());
   solid.sources_.push_back({frame.source, position});
 
-  const bool is_group = object.shape.kind == scene::kind_of<scene::Group>;
-  if (!is_group && object.shape.kind != scene::kind_of<scene::Combination>) {
+  if (!refers_to_composite(object.shape)) {
     add_operand(solid, frame, object, source);
     return;
   }
+  const auto& combination = scene_.shapes.get<scene::Combination>(object.shape);
   ListFrame inner = frame;
   inner.next = 0;
   inner.source = source;
@@ -68,21 +68,14 @@ void CsgBuilder::visit(CsgSolid& solid, std::vector<ListFrame>& frames) {
   inner.casts_shadow = frame.casts_shadow && object.casts_shadow;
   inner.binding = bindings_.of(object, inner.map, frame.binding);
   if (object.material != scene::no_material) add_medium(solid, inner.binding);
-  CsgSolid::Operation operation = CsgSolid::Operation::unite;
-  if (is_group) {
-    inner.objects = scene_.shapes.get<scene::Group>(object.shape).members;
-  } else {
-    const auto& combination = scene_.shapes.get<scene::Combination>(object.shape);
-    inner.objects = combination.operands;
-    operation = combination.operation;
-  }
+  inner.objects = combination.operands;
   CsgSolid::Node& node = solid.nodes_[frame.node];
   const bool is_first = frame.is_subtraction && position == 0;
-  inner.is_subtraction = operation == CsgSolid::Operation::subtract;
-  if (!dissolves(node.operation, operation, is_first)) {
+  inner.is_subtraction = combination.operation == CsgSolid::Operation::subtract;
+  if (!dissolves(node.operation, combination.operation, is_first)) {
     inner.node = static_cast<std::uint32_t>(solid.nodes_.size());
     node.children.push_back({inner.node, true});
-    solid.nodes_.push_back({operation, {}, nullptr});
+    solid.nodes_.push_back({combination.operation, {}, nullptr});
   }
   frames.push_back(inner);
 }
@@ -105,16 +98,12 @@ void CsgBuilder::add_operand(CsgSolid& solid, const ListFrame& frame, const scen
     solid.operands_.push_back({std::move(shape), binding, casts_shadow, source});
   };
   scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {
-    if constexpr (!is_composite<S>) {
+    if constexpr (!scene::is_composite<S>) {
       using G = GeometryOf<S>;
       if constexpr (Solidlike<G>) {
         const G own = geometry(shape);
-        assert(is_solid(own) && "what is open cannot be combined");
         if (const std::optional<G> here = placed(own, map)) return add(Baked<G>{*here});
-        if (const std::optional<Affine> to_local = inverse(map)) return add(Transformed<G>{own, map, *to_local});
-        assert(false && "a transform must not flatten its shape");
-      } else {
-        assert(false && "what is open cannot be combined");
+        add(Transformed<G>{own, map, scene::inverse_of_nested(map)});
       }
     }
   });

@@ -13,9 +13,6 @@
 namespace rt {
 
 template <class S>
-inline constexpr bool is_composite = std::is_same_v<S, scene::Group> || std::is_same_v<S, scene::Combination>;
-
-template <class S>
 using GeometryOf = decltype(geometry(std::declval<const S&>()));
 
 namespace detail {

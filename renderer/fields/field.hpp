@@ -1,11 +1,9 @@
 #pragma once
 
-#include "renderer/math/color.hpp"
-#include "renderer/math/vec3.hpp"
+#include "renderer/fields/constraint.hpp"
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,24 +56,6 @@ using Resolution = std::array<int, 2>;
 
 using FieldValue = std::variant<double, bool, Vec3, Color, Paint, std::vector<Vec3>, Choice, Fade, Resolution>;
 
-/// What a field's numbers must satisfy (every component, for vectors) or how many points it takes.
-struct Constraint {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool min_is_excluded = false;
-  bool max_is_excluded = false;
-  bool is_whole = false;   ///< whole numbers only
-  bool is_nonzero = false; ///< a vector that must have a direction, or a number that must not be 0
-  int min_count = 0;       ///< points
-  int max_count = std::numeric_limits<int>::max();
-};
-
-inline constexpr Constraint any_value{};
-inline constexpr Constraint positive{.min = 0, .min_is_excluded = true};
-inline constexpr Constraint not_negative{.min = 0};
-inline constexpr Constraint zero_to_one{.min = 0, .max = 1};
-inline constexpr Constraint nonzero{.is_nonzero = true};
-
 /// One property of a description type.
 struct Field {
   std::string_view name;
@@ -90,6 +70,8 @@ struct Field {
   void (*set)(void* owner, const FieldValue& value);
   /// Empty where the property was not written and has no value of its own.
   std::optional<FieldValue> (*get)(const void* owner);
+  /// How the owner's value breaks the constraint. A pattern passes: it has fields of its own.
+  std::optional<Violation> (*check)(const Field& field, const void* owner);
 };
 
 namespace detail {
@@ -141,6 +123,40 @@ T from_value(const FieldValue& value) {
     return points;
   } else
     return std::get<T>(value);
+}
+
+inline std::optional<Violation> check_choice(const Field& field, int index) {
+  if (index >= 0 && static_cast<std::size_t>(index) < field.choices.size()) return std::nullopt;
+  return Violation{Violation::Kind::out_of_bounds, "must be one of its choices", "this is none"};
+}
+
+template <class T>
+std::optional<Violation> check_points(const Field& field, const T& points) {
+  for (const Vec3& point : points)
+    if (auto violation = check(field.constraint, point)) return violation;
+  return check_count(field.constraint, points.size());
+}
+
+template <class T>
+std::optional<Violation> check_value(const Field& field, const T& value) {
+  if constexpr (std::is_same_v<T, bool>)
+    return std::nullopt;
+  else if constexpr (std::is_enum_v<T>)
+    return check_choice(field, static_cast<int>(value));
+  else if constexpr (is_points<T>)
+    return check_points(field, value);
+  else if constexpr (std::is_same_v<T, Fade>)
+    return check(positive, value.distance);
+  else if constexpr (std::is_same_v<T, Resolution>)
+    return check(field.constraint, Vec3{static_cast<double>(value[0]), static_cast<double>(value[1]), 1.0});
+  else if constexpr (std::is_same_v<T, Paint>)
+    return std::holds_alternative<Color>(value) ? check(field.constraint, std::get<Color>(value)) : std::nullopt;
+  else if constexpr (std::is_same_v<T, Vec3>)
+    return field.type == FieldType::size ? check_size(field.constraint, value) : check(field.constraint, value);
+  else if constexpr (std::is_same_v<T, Color>)
+    return check(field.constraint, value);
+  else
+    return check(field.constraint, static_cast<double>(value));
 }
 
 template <class T>
@@ -199,6 +215,13 @@ constexpr Field field(std::string_view name, const FieldText& text) {
           return detail::to_value<T>(member);
         else
           return member ? std::optional<FieldValue>(detail::to_value<T>(*member)) : std::nullopt;
+      },
+      [](const Field& self, const void* owner) -> std::optional<Violation> {
+        const Stored& member = static_cast<const Owner*>(owner)->*Member;
+        if constexpr (std::is_same_v<Stored, T>)
+          return detail::check_value<T>(self, member);
+        else
+          return member ? detail::check_value<T>(self, *member) : std::nullopt;
       }};
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/integrators/integrator.hpp"
 #include "renderer/math/static_vector.hpp"
 #include "renderer/render/camera_rays.hpp"
+#include "renderer/scene/validate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -229,6 +230,18 @@ int thread_count(int wanted) {
 
 } // namespace
 
+namespace {
+
+void require_valid(const View& view) {
+  scene::Scene seen; // nothing but the view
+  seen.camera = view.camera;
+  seen.size = view.size;
+  seen.samples = view.samples;
+  require_none(validate_settings(seen));
+}
+
+} // namespace
+
 Rendered render(const scene::Scene& scene, const RenderOptions& options) {
   const Clock::time_point build_start = Clock::now();
   const CompiledScene compiled(scene, thread_count(options.threads));
@@ -240,6 +253,7 @@ Rendered render(const scene::Scene& scene, const RenderOptions& options) {
 }
 
 Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options) {
+  require_valid(view);
   Rendered result;
   RenderStatistics& statistics = result.statistics;
   statistics.threads = thread_count(options.threads);

@@ -6,18 +6,6 @@
 namespace rt::scene {
 namespace {
 
-template <class S>
-constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
-
-bool refers_to_composite(ShapeRef ref) {
-  return ref.kind == kind_of<Group> || ref.kind == kind_of<Combination>;
-}
-
-const std::vector<Object>& parts(const Scene& scene, ShapeRef composite) {
-  if (composite.kind == kind_of<Group>) return scene.shapes.get<Group>(composite).members;
-  return scene.shapes.get<Combination>(composite).operands;
-}
-
 /// A value of type T for each group and combination that is asked about: few, where one object of many is.
 template <class T>
 class PerComposite {
@@ -52,7 +40,7 @@ std::vector<ShapeRef> innermost_first(const Scene& scene, std::span<const Object
     const ShapeRef shape = visit.objects[visit.next++].shape;
     if (!refers_to_composite(shape) || is_found[shape]) continue;
     is_found[shape] = true;
-    path.push_back({parts(scene, shape), 0, shape});
+    path.push_back({parts(scene.shapes, shape), 0, shape});
   }
 }
 
@@ -69,11 +57,6 @@ Extents extents_of(const Box3& box) {
 
 Extents mapped(const Affine& map, const Extents& e) {
   return {transform_box(map, e.whole), transform_box(map, e.finite)};
-}
-
-Box3 overlap(const Box3& a, const Box3& b) {
-  const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};
-  return both.is_empty() ? Box3{} : both;
 }
 
 using CompositeExtents = PerComposite<Extents>;
@@ -173,7 +156,7 @@ std::uint64_t count_primitives(const Scene& scene) {
     }
     return sum;
   };
-  for (const ShapeRef ref : innermost_first(scene, scene.objects)) known[ref] = count(parts(scene, ref));
+  for (const ShapeRef ref : innermost_first(scene, scene.objects)) known[ref] = count(parts(scene.shapes, ref));
   return count(scene.objects);
 }
 

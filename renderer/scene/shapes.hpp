@@ -42,6 +42,14 @@ using ShapeKinds = TypeList<Sphere, Plane, Cylinder, Cone, Box, Disc, Triangle, 
 template <class S>
 inline constexpr std::uint32_t kind_of = ShapeKinds::index_of<S>();
 
+/// Whether shapes of this kind are made of other objects.
+template <class S>
+inline constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
+
+constexpr bool refers_to_composite(ShapeRef ref) {
+  return ref.kind == kind_of<Group> || ref.kind == kind_of<Combination>;
+}
+
 /// All shapes of a scene, stored by kind. References stay valid when shapes are added; pointers do not.
 class Shapes {
 public:
@@ -88,5 +96,11 @@ private:
   };
   Storage<ShapeKinds>::Type lists_;
 };
+
+/// The members of a group, or the operands of a combination.
+inline const std::vector<Object>& parts(const Shapes& shapes, ShapeRef composite) {
+  if (composite.kind == kind_of<Group>) return shapes.get<Group>(composite).members;
+  return shapes.get<Combination>(composite).operands;
+}
 
 } // namespace rt::scene

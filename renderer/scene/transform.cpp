@@ -1,5 +1,7 @@
 #include "renderer/scene/transform.hpp"
 
+#include <cmath>
+
 namespace rt::scene {
 namespace {
 
@@ -45,6 +47,11 @@ Affine matrix(const Placement& placement) {
       Affine::translating(placement.at) * Affine::rotating_xyz(placement.rotate) * Affine::scaling(placement.scale);
   for (const Step& step : placement.chain) map = matrix(step) * map;
   return map;
+}
+
+bool flattens(const Placement& placement) {
+  const double determinant = matrix(placement).determinant();
+  return determinant == 0 || !std::isfinite(determinant);
 }
 
 } // namespace rt::scene

@@ -4,7 +4,7 @@
 
 using namespace rt;
 using namespace rt::lang;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 TEST_CASE("load: a sphere on a plane, with a colour") {
   const Loaded loaded = load("sphere { at: [0, 1, 0], radius: 2, material: red }\nplane { y: 0 }\n");

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rt::lang::testing {
+namespace rt::tests {
 
 /// A text with places in it, each marked by `‸`.
 struct MarkedText {
@@ -22,4 +22,4 @@ struct MarkedText {
   }
 };
 
-} // namespace rt::lang::testing
+} // namespace rt::tests

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-namespace rt::lang::testing {
+namespace rt::tests {
+
+using namespace lang;
 
 std::vector<std::string> Text::codes() const {
   std::vector<std::string> out;
@@ -159,4 +161,4 @@ std::string parsed(std::string text) {
   return shape(out);
 }
 
-} // namespace rt::lang::testing
+} // namespace rt::tests

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace rt::lang::testing {
+namespace rt::tests {
 
 namespace {
 
@@ -249,4 +249,4 @@ std::string RandomProgram::loop(int depth) {
                    chance(50) ? in_order({"0", gap(), "..<", gap(), "9 by 3"}) : list(depth)});
 }
 
-} // namespace rt::lang::testing
+} // namespace rt::tests

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-namespace rt::lang::testing {
+namespace rt::tests {
 
 /// Writes programs that parse, in every construct of the grammar and with every freedom of layout: blank lines,
 /// comments, separators, line breaks where they are allowed. Names need not be known: only the syntax is right.
@@ -45,4 +45,4 @@ private:
   int parentheses_ = 0; ///< 0: a line break ends what stands before it
 };
 
-} // namespace rt::lang::testing
+} // namespace rt::tests

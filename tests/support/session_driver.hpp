@@ -13,29 +13,28 @@
 #include <vector>
 
 /// What the tests of sessions share.
-namespace rt::lang::testing {
+namespace rt::tests {
 
 // A session that is told what it should accept.
 struct SessionDriver {
-  Session session{"."};
+  lang::Session session{"."};
 
-  SessionResult say(const std::string& text) {
-    SessionResult result = session.submit(text);
+  lang::SessionResult say(const std::string& text) {
+    lang::SessionResult result = session.submit(text);
     INFO(text);
-    for (const rt::lang::Diagnostic& d : result.diagnostics)
-      UNSCOPED_INFO(rt::lang::render(d, session.sources(), false));
+    for (const lang::Diagnostic& d : result.diagnostics) UNSCOPED_INFO(lang::render(d, session.sources(), false));
     REQUIRE(result.is_accepted);
     return result;
   }
   std::string value(const std::string& text) {
-    const SessionResult result = say(text);
+    const lang::SessionResult result = say(text);
     REQUIRE(result.values.size() == 1);
     return result.values.front().text;
   }
-  SessionResult refuse(const std::string& text) {
+  lang::SessionResult refuse(const std::string& text) {
     const std::size_t version = session.version();
     const std::string before = session.text();
-    SessionResult result = session.submit(text);
+    lang::SessionResult result = session.submit(text);
     INFO(text);
     CHECK_FALSE(result.is_accepted);
     CHECK_FALSE(result.diagnostics.empty());
@@ -44,20 +43,20 @@ struct SessionDriver {
     return result;
   }
   std::size_t count() { return session.scene().objects.size(); }
-  rt::Vec3 at(std::size_t i) { return rt::scene::bounds(session.scene(), session.scene().objects.at(i)).center(); }
+  Vec3 at(std::size_t i) { return scene::bounds(session.scene(), session.scene().objects.at(i)).center(); }
   double radius(std::size_t i) {
-    return session.scene().shapes.get<rt::scene::Sphere>(session.scene().objects.at(i).shape).radius;
+    return session.scene().shapes.get<scene::Sphere>(session.scene().objects.at(i).shape).radius;
   }
 };
 
-inline std::vector<rt::Rgb32> picture(const rt::scene::Scene& scene) {
-  rt::scene::Scene small = scene;
+inline std::vector<Rgb32> picture(const scene::Scene& scene) {
+  scene::Scene small = scene;
   small.size = {48, 36};
-  return rt::render(small, {}).film.color;
+  return render(small, {}).film.color;
 }
 
-inline bool are_equal(const std::vector<rt::Rgb32>& a, const std::vector<rt::Rgb32>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(rt::Rgb32)) == 0;
+inline bool are_equal(const std::vector<Rgb32>& a, const std::vector<Rgb32>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Rgb32)) == 0;
 }
 
 struct Folder {
@@ -74,4 +73,4 @@ struct Folder {
   }
 };
 
-} // namespace rt::lang::testing
+} // namespace rt::tests

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the tests of shapes share.
-namespace rt::test {
+namespace rt::tests {
 
 /// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64). So that they are
 /// with every compiler too, no more than one is drawn between two operators or in a call's arguments; braces have an
@@ -106,4 +106,4 @@ std::vector<double> span(const G& shape, const Ray& ray) {
   return list;
 }
 
-} // namespace rt::test
+} // namespace rt::tests

@@ -95,7 +95,7 @@ std::string_view side_text(const Answer& answer, const SurfaceNode& s) {
   const bool is_front = dot(s.surface.geometric_normal, s.ray.direction) < 0;
   const scene::ShapeRef shape = objects_on(answer.scene, s.path).back()->shape;
   const bool has_inside = answer.scene.shapes.visit(shape, []<class S>(const S& described) {
-    if constexpr (is_composite<S>)
+    if constexpr (scene::is_composite<S>)
       return true;
     else
       return is_solid(geometry(described));

@@ -10,7 +10,7 @@
 
 using namespace rt;
 using namespace rt::lang;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 namespace fs = std::filesystem;
 using Codes = std::vector<std::string>;

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+using namespace rt;
 using namespace rt::lang;
 
 namespace {
@@ -14,13 +15,13 @@ Loaded linted(std::string text, std::vector<std::pair<std::string, std::string>>
   LoadOptions options;
   options.lint = true;
   options.defines = std::move(defines);
-  return testing::load(std::move(text), options);
+  return tests::load(std::move(text), options);
 }
 
 /// "W0101 at 2:1, W0104 at 3:10"
 std::string remarks(const std::string& text) {
   const Loaded loaded = linted(text);
-  CHECK(testing::errors(loaded).empty());
+  CHECK(tests::errors(loaded).empty());
   std::string out;
   for (const Diagnostic& d : without_allowed(loaded.remarks, loaded.sources, {})) {
     const Position at = loaded.sources.position(d.span.file, d.span.begin);
@@ -165,7 +166,7 @@ TEST_CASE("lint: a comment that it does not understand is told") {
 }
 
 TEST_CASE("lint: nothing is looked for unless it is wanted, and errors come first") {
-  CHECK(testing::load("ball = sphere {}\nbox { rotate: [0, pi, 0] }").remarks.empty());
+  CHECK(tests::load("ball = sphere {}\nbox { rotate: [0, pi, 0] }").remarks.empty());
   CHECK(linted("ball = sphere {}\nbox { raduis: 2 }").remarks.empty());
   CHECK(linted("param n = 3\nsphere { radius: n }", {{"n", "2"}}).remarks.empty());
 }

@@ -6,7 +6,7 @@
 
 using namespace rt;
 using namespace rt::lang;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 TEST_CASE("defaults: a camera is framed on the bounding box from three-quarters above") {
   const Loaded loaded = load("sphere { at: [1, 2, 3], radius: 2 }\nplane { y: -5 }\nambient: 1");

@@ -4,7 +4,7 @@
 
 using namespace rt;
 using namespace rt::lang;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 using Codes = std::vector<std::string>;
 using Operation = scene::Combination::Operation;

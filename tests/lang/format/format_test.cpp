@@ -11,8 +11,8 @@
 #include <sstream>
 
 using namespace rt::lang;
-using rt::lang::testing::parse_text;
-using rt::lang::testing::RandomProgram;
+using rt::tests::parse_text;
+using rt::tests::RandomProgram;
 
 namespace {
 

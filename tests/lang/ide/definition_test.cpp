@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 using namespace rt::lang;
-using rt::lang::testing::MarkedText;
+using rt::tests::MarkedText;
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 using rt::lang::Session;
 using rt::lang::SessionResult;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 TEST_CASE("session: comments stay where they are") {
   SessionDriver talk;

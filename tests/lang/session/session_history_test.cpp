@@ -2,7 +2,7 @@
 
 using rt::lang::Session;
 using rt::lang::SessionResult;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 TEST_CASE("session: versions are described on one line that says the same") {
   SessionDriver talk;

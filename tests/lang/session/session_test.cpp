@@ -5,7 +5,7 @@
 
 using rt::lang::Session;
 using rt::lang::SessionResult;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 TEST_CASE("session: a thing on its own line is placed, a bound one is kept for later") {
   SessionDriver talk;

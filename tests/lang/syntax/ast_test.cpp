@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace rt::lang;
-using rt::lang::testing::parse_text;
+using rt::tests::parse_text;
 
 namespace {
 

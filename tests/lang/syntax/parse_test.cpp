@@ -5,9 +5,9 @@
 #include <numbers>
 
 using namespace rt::lang;
-using rt::lang::testing::parse_text;
-using rt::lang::testing::parsed;
-using rt::lang::testing::shape;
+using rt::tests::parse_text;
+using rt::tests::parsed;
+using rt::tests::shape;
 
 TEST_CASE("grammar: no rule can loop without consuming input") {
   CHECK(grammar_problems() == 0);

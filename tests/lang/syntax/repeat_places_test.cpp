@@ -8,7 +8,7 @@
 #include <ostream>
 
 using namespace rt::lang;
-using namespace rt::lang::testing;
+using namespace rt::tests;
 
 namespace {
 

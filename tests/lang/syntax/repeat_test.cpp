@@ -5,9 +5,9 @@
 #include <random>
 
 using namespace rt::lang;
-using rt::lang::testing::parse_text;
-using rt::lang::testing::shape;
-using rt::lang::testing::Text;
+using rt::tests::parse_text;
+using rt::tests::shape;
+using rt::tests::Text;
 
 namespace {
 

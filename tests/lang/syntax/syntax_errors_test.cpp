@@ -5,8 +5,8 @@
 #include <random>
 
 using namespace rt::lang;
-using rt::lang::testing::parse_text;
-using rt::lang::testing::shape;
+using rt::tests::parse_text;
+using rt::tests::shape;
 
 namespace {
 

@@ -1,18 +1,19 @@
 #include "renderer/render/render.hpp"
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cstring>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
 // A bit of everything: patterned floor, glass, an ellipsoid, a group placed twice, a combination, lights.
-Kit many_things() {
-  Kit k;
+SceneBuilder many_things() {
+  SceneBuilder k;
   k.scene.size = {64, 48};
   k.scene.camera.at = {3, 4, 9};
   k.scene.camera.look_at = {2, 0.5, 0};
@@ -43,7 +44,7 @@ RenderOptions on_one_thread() {
   return options;
 }
 
-Film picture(const Kit& k, const CompiledScene& compiled) {
+Film picture(const SceneBuilder& k, const CompiledScene& compiled) {
   return render(compiled, {k.scene.camera, k.scene.size, 1}, on_one_thread()).film;
 }
 
@@ -55,7 +56,7 @@ bool have_equal_bytes(const Film& a, const Film& b) {
 } // namespace
 
 TEST_CASE("compile cache: pictures are the same bytes, however the scene is cut into parts") {
-  const Kit k = many_things();
+  const SceneBuilder k = many_things();
   const Film whole = render(k.scene, on_one_thread()).film;
   const auto n = static_cast<std::uint32_t>(k.scene.objects.size());
   const std::vector<std::vector<Part>> cuts{
@@ -67,7 +68,7 @@ TEST_CASE("compile cache: pictures are the same bytes, however the scene is cut 
 }
 
 TEST_CASE("compile cache: what did not change is not built again, and pictures show what did") {
-  Kit k = many_things();
+  SceneBuilder k = many_things();
   const auto n = static_cast<std::uint32_t>(k.scene.objects.size());
   const std::vector<Part> parts{{0, 40, 7}, {40, n, 8}};
   CompileCache cache(1);
@@ -93,7 +94,7 @@ TEST_CASE("compile cache: what did not change is not built again, and pictures s
 }
 
 TEST_CASE("compile cache: the path to an object is the same in a part as outside") {
-  const Kit k = many_things();
+  const SceneBuilder k = many_things();
   Asked whole(k);
   CompileCache cache(1);
   const std::vector<Part> parts{{10, 64, 1}};

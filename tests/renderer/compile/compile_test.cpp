@@ -1,9 +1,10 @@
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
@@ -16,7 +17,7 @@ Path path(Asked& asked, const Vec3& origin, const Vec3& direction) {
 } // namespace
 
 TEST_CASE("compile: an empty scene is hit by nothing") {
-  Asked asked{Kit()};
+  Asked asked{SceneBuilder()};
   CHECK_FALSE(asked.nearest({0, 0, 0}, {1, 2, 3}));
   CHECK(asked.transmittance({0, 0, 0}, {1, 2, 3}) == white);
   CHECK(asked.all({0, 0, 0}, {0, 0, 1}).empty());
@@ -24,7 +25,7 @@ TEST_CASE("compile: an empty scene is hit by nothing") {
 }
 
 TEST_CASE("compile: planes alone need no tree") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 1, 0}, -1));
   k.add(k.plane({0, 1, 0}, -2));
   Asked asked(k);
@@ -36,7 +37,7 @@ TEST_CASE("compile: planes alone need no tree") {
 TEST_CASE("compile: equal distances go to the object declared first, whatever its kind") {
   // All of them meet the ray from above at height 1.
   for (int first = 0; first < 4; ++first) {
-    Kit k;
+    SceneBuilder k;
     std::vector<scene::Object> things;
     things.push_back(k.sphere());
     things.push_back(k.plane({0, 1, 0}, 1));
@@ -53,7 +54,7 @@ TEST_CASE("compile: equal distances go to the object declared first, whatever it
 }
 
 TEST_CASE("compile: among many equal ones the first is hit") {
-  Kit k;
+  SceneBuilder k;
   for (int i = 0; i < 100; ++i) k.add(k.sphere().at({0, 0, 1.0 * (i % 10)}));
   Asked asked(k);
   CHECK(path(asked, {0, 0, -5}, {0, 0, 1}) == Path{0});
@@ -61,7 +62,7 @@ TEST_CASE("compile: among many equal ones the first is hit") {
 }
 
 TEST_CASE("compile: what is invisible is absent, alone, in a group and as an operand") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.sphere(3).invisible());
   k.add(k.group({k.sphere(2)}).invisible());
   k.add(k.subtract({k.sphere(1), k.sphere(0.5).at({0, 0, 1}).invisible()}));
@@ -71,7 +72,7 @@ TEST_CASE("compile: what is invisible is absent, alone, in a group and as an ope
 }
 
 TEST_CASE("compile: a turned sphere is an ellipsoid") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.sphere().transformed(k.scaled({1, 2, 4})).at({0, 0, 10}));
   Asked asked(k);
   CHECK(asked.nearest({0, 0, 0}, {0, 0, 1}).t == 6);
@@ -82,7 +83,7 @@ TEST_CASE("compile: a turned sphere is an ellipsoid") {
 }
 
 TEST_CASE("compile: paths lead through groups, also those that are taken apart") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.sphere().at({-10, 0, 0}));
   k.add(k.group({k.sphere().at({0, 0, 0}), k.group({k.sphere().invisible(), k.sphere().at({4, 0, 0})}),
                  k.sphere().at({8, 0, 0})}));
@@ -98,7 +99,7 @@ TEST_CASE("compile: paths lead through groups, also those that are taken apart")
 }
 
 TEST_CASE("compile: an origin far away sees small things where they are") {
-  Kit k;
+  SceneBuilder k;
   for (int i = 0; i < 10; ++i) k.add(k.sphere(0.25).at({1.0 * i, 0, 0}));
   Asked asked(k);
   // From a distance of 2^20 the direction to the fourth sphere is exact.
@@ -108,7 +109,7 @@ TEST_CASE("compile: an origin far away sees small things where they are") {
 }
 
 TEST_CASE("compile: a scene far from the origin loses nothing") {
-  Kit k;
+  SceneBuilder k;
   for (int i = 0; i < 10; ++i) k.add(k.sphere(0.25).at({1048576.0 + i, 1048576, 0}));
   Asked asked(k);
   CHECK(asked.nearest({1048579, 1048576, 5}, {0, 0, -1}).t == 4.75);
@@ -117,7 +118,7 @@ TEST_CASE("compile: a scene far from the origin loses nothing") {
 
 TEST_CASE("compile: tiny and huge scenes are as good as others") {
   for (const double scale : {1e-30, 1e-10, 1.0, 1e10, 1e30}) {
-    Kit k;
+    SceneBuilder k;
     for (int i = 0; i < 10; ++i) k.add(k.sphere(0.25 * scale).at({i * scale, 0, 0}));
     Asked asked(k);
     CHECK(asked.nearest({3 * scale, 0, 5 * scale}, {0, 0, -1}).t == Approx(4.75 * scale).epsilon(1e-14));
@@ -126,7 +127,7 @@ TEST_CASE("compile: tiny and huge scenes are as good as others") {
 }
 
 TEST_CASE("compile: t counts lengths of a direction that is no unit vector") {
-  Kit k;
+  SceneBuilder k;
   for (int i = 0; i < 10; ++i) k.add(k.sphere(0.25).at({1.0 * i, 0, 0}));
   Asked asked(k);
   CHECK(asked.nearest({3, 0, 5}, {0, 0, -0.5}).t == 9.5);

@@ -1,9 +1,10 @@
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
@@ -17,7 +18,7 @@ Vec3 normal(Asked& asked, const Vec3& origin, const Vec3& direction) {
 } // namespace
 
 TEST_CASE("solids: a union of overlapping spheres keeps its outer boundary only") {
-  Kit k;
+  SceneBuilder k;
   // From −1 to 1 and from 0 to 2.
   k.add(k.unite({k.sphere(), k.sphere().at({0, 0, 1})}));
   Asked asked(k);
@@ -30,7 +31,7 @@ TEST_CASE("solids: a union of overlapping spheres keeps its outer boundary only"
 }
 
 TEST_CASE("solids: an intersection is where all operands are") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.intersect({k.sphere(2), k.box({-1, -1, -5}, {1, 1, 1}), k.plane({0, 0, 1}, 0.5)}));
   Asked asked(k);
   // On the axis: the sphere from −2, the box to 1, the half-space to 0.5.
@@ -41,7 +42,7 @@ TEST_CASE("solids: an intersection is where all operands are") {
 }
 
 TEST_CASE("solids: the cut face of a difference faces out of what is left, with the cutter's material") {
-  Kit k;
+  SceneBuilder k;
   const auto red = k.glow({1, 0, 0}), green = k.glow({0, 1, 0});
   k.add(k.subtract({k.sphere(2).with(red), k.sphere(1).at({0, 0, -2}).with(green)}));
   Asked asked(k);
@@ -54,7 +55,7 @@ TEST_CASE("solids: the cut face of a difference faces out of what is left, with 
 }
 
 TEST_CASE("solids: a hole right through leaves two walls") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.subtract({k.sphere(2), k.sphere(1)}));
   Asked asked(k);
   CHECK(asked.all({0, 0, -5}, {0, 0, 1}) == Ts{3, 4, 6, 7});
@@ -63,7 +64,7 @@ TEST_CASE("solids: a hole right through leaves two walls") {
 }
 
 TEST_CASE("solids: a sphere and a half-space make a finite solid, half-spaces alone an infinite one") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.intersect({k.sphere(), k.plane({0, 1, 0}, 0)}));
   k.add(k.subtract({k.plane({0, 1, 0}, -4), k.plane({0, 1, 0}, -5)})); // a slab
   Asked asked(k);
@@ -73,7 +74,7 @@ TEST_CASE("solids: a sphere and a half-space make a finite solid, half-spaces al
 }
 
 TEST_CASE("solids: a line that stays inside has no end") {
-  Kit k;
+  SceneBuilder k;
   scene::Cylinder tube;
   tube.infinite = true;
   k.add(k.subtract({k.plane({0, 0, 1}, 0), k.shape(tube)})); // a half-space with half a shaft along y at its rim
@@ -84,7 +85,7 @@ TEST_CASE("solids: a line that stays inside has no end") {
 }
 
 TEST_CASE("solids: they nest, under any transform") {
-  Kit k;
+  SceneBuilder k;
   // ((box − sphere) ∪ knob) turned by 90° about y, enlarged twice and moved.
   const auto turn = k.transform({.scale = {2, 2, 2}, .rotate = {0, 90, 0}, .at = {}, .chain = {}});
   k.add(k.unite({k.subtract({k.box({-1, -1, -1}, {1, 1, 1}), k.sphere(0.5).at({0, 0, 1})}),
@@ -101,7 +102,7 @@ TEST_CASE("solids: they nest, under any transform") {
 }
 
 TEST_CASE("solids: a group or a list as an operand is the union of what it holds") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.subtract({k.box({-4, -1, -1}, {4, 1, 1}), k.group({k.sphere().at({-2, 0, 0}), k.sphere().at({2, 0, 0})})}));
   Asked asked(k);
   CHECK(asked.all({-9, 0, 0}, {1, 0, 0}) == Ts{5, 6, 8, 10, 12, 13});
@@ -109,7 +110,7 @@ TEST_CASE("solids: a group or a list as an operand is the union of what it holds
 }
 
 TEST_CASE("solids: chains of differences and unions, with many operands, find the right ones") {
-  Kit k;
+  SceneBuilder k;
   // A beam from 0 to 100 with a hole from i to i + ½ at each whole number below 100: subtracted one by one.
   scene::Object beam = k.box({0, -1, -1}, {100, 1, 1});
   for (int i = 0; i < 100; ++i) beam = k.subtract({beam, k.box({1.0 * i, -2, -2}, {i + 0.5, 2, 2})});
@@ -122,7 +123,7 @@ TEST_CASE("solids: chains of differences and unions, with many operands, find th
 }
 
 TEST_CASE("solids: parts that share a face unite without a wall between them") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.unite({k.box({0, 0, 0}, {1, 1, 1}), k.box({1, 0, 0}, {2, 1, 1})}));
   Asked asked(k);
   CHECK(asked.all({-1, 0.5, 0.5}, {1, 0, 0}) == Ts{1, 3});
@@ -131,7 +132,7 @@ TEST_CASE("solids: parts that share a face unite without a wall between them") {
 
 TEST_CASE("solids: where surfaces coincide, the part declared first shows") {
   for (const bool swapped : {false, true}) {
-    Kit k;
+    SceneBuilder k;
     const auto red = k.glow({1, 0, 0}), green = k.glow({0, 1, 0});
     const scene::Object a = k.box({-1, -1, -1}, {1, 1, 1}).with(red), b = k.box({-2, -2, -1}, {2, 2, 3}).with(green);
     k.add(swapped ? k.unite({b, a}) : k.unite({a, b}));
@@ -141,7 +142,7 @@ TEST_CASE("solids: where surfaces coincide, the part declared first shows") {
 }
 
 TEST_CASE("solids: cutting away all of it leaves nothing, and so does an empty first operand") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.subtract({k.sphere(), k.sphere(2)}));
   k.add(k.subtract({k.group({}), k.sphere()}));
   k.add(k.subtract({k.sphere().invisible(), k.sphere()}));
@@ -151,7 +152,7 @@ TEST_CASE("solids: cutting away all of it leaves nothing, and so does an empty f
 }
 
 TEST_CASE("solids: parts inherit the material of the nearest composite that has one") {
-  Kit k;
+  SceneBuilder k;
   const auto red = k.glow({1, 0, 0}), green = k.glow({0, 1, 0}), blue = k.glow({0, 0, 1});
   k.add(k.group({k.unite({k.sphere().at({-4, 0, 0}), k.sphere().at({0, 0, 0}).with(green),
                           k.group({k.sphere().at({4, 0, 0}), k.sphere().at({8, 0, 0}).with(red)}).with(blue)})})
@@ -164,7 +165,7 @@ TEST_CASE("solids: parts inherit the material of the nearest composite that has 
 }
 
 TEST_CASE("solids: a solid that stands in two places is the same in both") {
-  Kit k;
+  SceneBuilder k;
   const auto red = k.glow({1, 0, 0}), green = k.glow({0, 1, 0});
   const scene::Object dice =
       k.intersect({k.box({-1, -1, -1}, {1, 1, 1}), k.sphere(1.25).with(green)}).with(red).at({-5, 0, 0});
@@ -181,7 +182,7 @@ TEST_CASE("solids: a solid that stands in two places is the same in both") {
 }
 
 TEST_CASE("solids: a part that casts no shadow lets light by, the rest does not") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.unite({k.sphere().at({-3, 0, 0}).without_shadow(), k.sphere().at({3, 0, 0})}));
   Asked asked(k);
   CHECK(asked.transmittance({-3, 0, -5}, {-3, 0, 5}) == white);

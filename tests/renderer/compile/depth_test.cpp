@@ -1,4 +1,5 @@
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,12 +9,12 @@ namespace {
 
 // Panes that let half the light by and bend nothing, before a white background.
 double through_panes(int panes, int max_depth) {
-  kit::Kit k;
+  tests::SceneBuilder k;
   k.scene.background = white;
   k.scene.max_depth = max_depth;
   const auto clear = k.clear(1, 0.5);
   for (int i = 0; i < panes; ++i) k.add(k.plane({0, 0, 1}, -i).with(clear));
-  return kit::Asked(k).radiance({0, 0, 5}, {0, 0, -1}).r;
+  return tests::Asked(k).radiance({0, 0, 5}, {0, 0, -1}).r;
 }
 
 } // namespace

@@ -1,19 +1,20 @@
 #include "renderer/render/render.hpp"
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
 using Path = std::vector<std::uint32_t>;
 
 // n³ small spheres in the unit cube: enough to be worth an instance.
-std::vector<scene::Object> grid(Kit& k, int n) {
+std::vector<scene::Object> grid(SceneBuilder& k, int n) {
   std::vector<scene::Object> members;
-  const scene::ShapeRef ball = k.scene.shapes.add(scene::Sphere{0.25 / n});
+  const scene::ShapeRef ball = k.Builder::shape(scene::Sphere{0.25 / n});
   for (int i = 0; i < n * n * n; ++i) {
     scene::Object o;
     o.shape = ball;
@@ -32,7 +33,7 @@ scene::Object like(const scene::Object& o, const Vec3& at, scene::TransformId tu
 } // namespace
 
 TEST_CASE("instances: a shared group is hit in each of its places, and knows which it is") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.sphere(0.5).at({-20, 0, 0}));
   const scene::Object cube = k.group(grid(k, 16));
   k.add(like(cube, {0, 0, 0}));
@@ -58,7 +59,7 @@ TEST_CASE("instances: a shared group is hit in each of its places, and knows whi
 }
 
 TEST_CASE("instances: equal distances go to the one declared first") {
-  Kit k;
+  SceneBuilder k;
   const scene::Object cube = k.group(grid(k, 16));
   k.add(like(cube, {0, 0, 0}));
   k.add(like(cube, {0, 0, 0}));
@@ -71,7 +72,7 @@ TEST_CASE("instances: equal distances go to the one declared first") {
 }
 
 TEST_CASE("instances: nested, sheared and far away they are where they should be") {
-  Kit k;
+  SceneBuilder k;
   const scene::Object cube = k.group(grid(k, 16));
   const scene::Object pair = k.group({like(cube, {0, 0, 0}), like(cube, {4, 0, 0})});
   const auto sheared = k.chained({scene::ShearStep{.xy = 1}});
@@ -92,7 +93,7 @@ TEST_CASE("instances: nested, sheared and far away they are where they should be
 }
 
 TEST_CASE("instances: seen from a million away") {
-  Kit k;
+  SceneBuilder k;
   const scene::Object cube = k.group(grid(k, 16));
   k.add(like(cube, {0, 0, 0}));
   k.add(like(cube, {8, 0, 0}));
@@ -103,7 +104,7 @@ TEST_CASE("instances: seen from a million away") {
 }
 
 TEST_CASE("instances: a doubling chain of groups has as many leaves as it should") {
-  Kit k;
+  SceneBuilder k;
   scene::Object thing = k.group(grid(k, 8)); // 512 leaves within the unit cube
   for (int level = 0; level < 40; ++level)
     thing = k.group({like(thing, {0, 0, 0}), like(thing, {0, 0, std::ldexp(2.0, level)})});
@@ -122,7 +123,7 @@ TEST_CASE("instances: a doubling chain of groups has as many leaves as it should
 }
 
 TEST_CASE("instances: members inherit the material of their place") {
-  Kit k;
+  SceneBuilder k;
   const auto red = k.glow({1, 0, 0}), blue = k.glow({0, 0, 1});
   auto members = grid(k, 16);
   members[0].material = k.glow({0, 1, 0});
@@ -140,7 +141,7 @@ TEST_CASE("instances: members inherit the material of their place") {
 }
 
 TEST_CASE("instances: a pattern stays in the space of whoever wrote the material") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.color = k.checker({1, 0, 0}, {0, 0, 1});
   m.emission = grey(1), m.diffuse = m.ambient = grey(0);
@@ -162,7 +163,7 @@ TEST_CASE("instances: a pattern stays in the space of whoever wrote the material
 
 TEST_CASE("instances: the same picture as from copies") {
   const auto build = [](bool shares) {
-    Kit k;
+    SceneBuilder k;
     k.scene.size = {96, 72};
     k.scene.camera.at = {3, 3, 8};
     k.scene.camera.look_at = {1.5, 0.5, 0.5};

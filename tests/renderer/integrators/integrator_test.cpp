@@ -1,12 +1,13 @@
-#include "tests/support/scene_kit.hpp"
+#include "renderer/integrators/integrator.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 TEST_CASE("integrator: every kind sees a lit plane, and counts its rays") {
-  Kit k;
+  SceneBuilder k;
   k.scene.ambient = grey(0.1);
   k.add(k.plane({0, 0, 1}, 0));
   k.sun({0, 0, -1});
@@ -26,7 +27,7 @@ TEST_CASE("integrator: every kind sees a lit plane, and counts its rays") {
 }
 
 TEST_CASE("integrator: under POV-Ray's rules what is nearer than 1e-4 is not hit") {
-  Kit k;
+  SceneBuilder k;
   k.scene.ambient = white;
   k.add(k.plane({0, 0, 1}, 0));
   const CompiledScene compiled(k.scene, 1);

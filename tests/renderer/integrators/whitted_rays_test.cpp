@@ -1,9 +1,10 @@
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
@@ -26,14 +27,14 @@ struct RayList : NoRecorder {
   void too_deep() { ++too_deep_count; }
 };
 
-RayList rays_of(const Kit& k, const Vec3& origin, const Vec3& direction) {
+RayList rays_of(const SceneBuilder& k, const Vec3& origin, const Vec3& direction) {
   const CompiledScene compiled(k.scene, 1);
   RayList list;
   Whitted<OwnRules, RayList>(compiled, list).radiance({origin, normalize(direction)}, compiled.around(origin));
   return list;
 }
 
-scene::MaterialId mirror(Kit& k, const Color& reflect, bool fresnel = false, double ior = 1) {
+scene::MaterialId mirror(SceneBuilder& k, const Color& reflect, bool fresnel = false, double ior = 1) {
   scene::Material m;
   m.ambient = m.diffuse = grey(0);
   m.reflect = reflect, m.fresnel = fresnel, m.ior = ior;
@@ -41,7 +42,7 @@ scene::MaterialId mirror(Kit& k, const Color& reflect, bool fresnel = false, dou
 }
 
 // What POV-Ray calls rgbt 1 with a Fresnel mirror of full strength and conserve_energy.
-scene::MaterialId glass(Kit& k, double ior) {
+scene::MaterialId glass(SceneBuilder& k, double ior) {
   scene::Material m;
   m.ambient = m.diffuse = grey(0);
   m.reflect = white, m.refract = 1, m.ior = ior, m.fresnel = true;
@@ -49,7 +50,7 @@ scene::MaterialId glass(Kit& k, double ior) {
 }
 
 // In front of a white background.
-double through(Kit& k, double z, int max_depth) {
+double through(SceneBuilder& k, double z, int max_depth) {
   k.scene.background = white;
   k.scene.max_depth = max_depth;
   return Asked(k).radiance({0, 0, z}, {0, 0, 1}).r;
@@ -58,7 +59,7 @@ double through(Kit& k, double z, int max_depth) {
 } // namespace
 
 TEST_CASE("whitted: parallel mirrors sum a geometric series up to the depth") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.ambient = m.diffuse = grey(0), m.emission = grey(0.1), m.reflect = grey(0.5);
   const auto half = k.material(m);
@@ -74,7 +75,7 @@ TEST_CASE("whitted: parallel mirrors sum a geometric series up to the depth") {
 
 TEST_CASE("whitted: a mirror's colour and a metal's tint weight the mirrored ray") {
   for (const double metallic : {0.0, 1.0}) {
-    Kit k;
+    SceneBuilder k;
     scene::Material m;
     m.color = Color{1, 0.5, 0}, m.ambient = m.diffuse = grey(0);
     m.reflect = {0.5, 0.25, 0.125}, m.metallic = metallic;
@@ -89,7 +90,7 @@ TEST_CASE("whitted: a mirror's colour and a metal's tint weight the mirrored ray
 }
 
 TEST_CASE("whitted: a dielectric mirrors ((n − 1) / (n + 1))² head-on, and what the s and p formulas say at an angle") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 0, 1}, 0).with(mirror(k, white, true, 1.5)));
   k.scene.background = white;
   CHECK(Asked(k).radiance({0, 0, 1}, {0, 0, -1}).r == Approx(0.04).epsilon(1e-14));
@@ -97,7 +98,7 @@ TEST_CASE("whitted: a dielectric mirrors ((n − 1) / (n + 1))² head-on, and wh
 }
 
 TEST_CASE("whitted: what a dielectric does not mirror it lets by") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 0, 1}, 0).with(glass(k, 1.5)));
   k.add(k.plane({0, 0, 1}, -10).with(k.glow({1, 0.5, 0})));
   k.scene.background = {0, 0, 1};
@@ -108,7 +109,7 @@ TEST_CASE("whitted: what a dielectric does not mirror it lets by") {
 }
 
 TEST_CASE("whitted: refraction turns a ray by Snell's law and a slab shifts it in parallel") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.ambient = m.diffuse = grey(0), m.refract = 1, m.ior = 1.5;
   k.add(k.box({-10, -10, -1}, {10, 10, 0}).with(k.material(m)));
@@ -129,7 +130,7 @@ TEST_CASE("whitted: refraction turns a ray by Snell's law and a slab shifts it i
 TEST_CASE("whitted: beyond the critical angle all light is mirrored, with weight 1 and once") {
   // asin(1 / 1.5) = 41.81°.
   for (const auto& [degrees, is_total] : {std::pair{41.80, false}, {41.82, true}}) {
-    Kit k;
+    SceneBuilder k;
     scene::Material m;
     m.color = grey(0.5), m.ambient = m.diffuse = grey(0), m.refract = 0.5, m.ior = 1.5, m.reflect = grey(0.25);
     k.add(k.box({-1000, -1000, -1}, {1000, 1000, 0}).with(k.material(m)));
@@ -150,7 +151,7 @@ TEST_CASE("whitted: beyond the critical angle all light is mirrored, with weight
 }
 
 TEST_CASE("whitted: a surface with equal indices on both sides bends nothing and costs no depth") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.color = grey(0.5), m.ambient = m.diffuse = grey(0), m.refract = 1;
   const auto pane = k.material(m);
@@ -164,7 +165,7 @@ TEST_CASE("whitted: a surface with equal indices on both sides bends nothing and
 }
 
 TEST_CASE("whitted: ten thousand panes in a row overflow nothing") {
-  Kit k;
+  SceneBuilder k;
   const auto pane = k.clear(1);
   for (int i = 1; i <= 10000; ++i) {
     scene::Disc disc;
@@ -195,7 +196,7 @@ TEST_CASE("whitted: nested and overlapping media as POV-Ray has them") {
   };
   for (const Case& c : cases)
     for (std::size_t i = 0; i < c.by_depth.size(); ++i) {
-      Kit k;
+      SceneBuilder k;
       for (const Ball& ball : {c.first, c.second})
         k.add(k.sphere(ball.radius).at({0, 0, ball.z}).with(glass(k, ball.ior)));
       CHECK(through(k, c.eye, static_cast<int>(i) + 1) == Approx(c.by_depth[i]).margin(1e-6));
@@ -203,61 +204,61 @@ TEST_CASE("whitted: nested and overlapping media as POV-Ray has them") {
 }
 
 TEST_CASE("whitted: an opaque room around the eye is no medium, be it a solid or a shell") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.sphere(50).with(k.glow(1)));
   k.add(k.sphere(1).at({0, 0, 5}).with(glass(k, 1.5)));
   CHECK(through(k, 0, 3) == Approx(0.998464).margin(1e-6));
-  Kit shell;
+  SceneBuilder shell;
   shell.add(shell.subtract({shell.sphere(60), shell.sphere(50)}).with(shell.glow(1)));
   shell.add(shell.sphere(1).at({0, 0, 5}).with(glass(shell, 1.5)));
   CHECK(through(shell, 0, 3) == Approx(0.998464).margin(1e-6));
 }
 
 TEST_CASE("whitted: an eye within an open cylinder starts inside, one below a disc does not") {
-  const auto first_branch = [](Kit& k) {
+  const auto first_branch = [](SceneBuilder& k) {
     const RayList list = rays_of(k, {0, 0, 0}, {0, 1, 1});
     return list.rays.size() > 1 ? list.rays[1].kind : RayKind::camera;
   };
-  Kit tube;
+  SceneBuilder tube;
   scene::Cylinder cylinder;
   cylinder.from = Vec3{0, -5, 0}, cylinder.to = Vec3{0, 5, 0}, cylinder.radius = 2, cylinder.open = true;
   tube.add(tube.shape(cylinder).with(tube.clear(1.5)));
   CHECK(first_branch(tube) == RayKind::total_reflection);
-  Kit lid;
+  SceneBuilder lid;
   scene::Disc disc;
   disc.normal = {0, 0, 1}, disc.radius = 5;
   lid.add(lid.shape(disc).at({0, 0, 2}).with(lid.clear(1.5)));
   CHECK(first_branch(lid) == RayKind::refracted);
-  Kit water;
+  SceneBuilder water;
   water.add(water.plane({0, 0, 1}, 2).with(water.clear(1.5)));
   CHECK(first_branch(water) == RayKind::total_reflection);
 }
 
 TEST_CASE("whitted: a combination is one medium, with the index of its own material or of its leftmost part's") {
-  const auto index_inside = [](const Kit& k) {
+  const auto index_inside = [](const SceneBuilder& k) {
     const Vec3 d = rays_of(k, {0, 5, 5}, {0, -1, -1}).rays.at(1).ray.direction;
     return std::sqrt(0.5) / std::abs(d.y); // sin 45° / sin of the refracted angle
   };
-  const auto slab = [](Kit& k) { return k.box({-10, -10, -1}, {10, 10, 0}); };
+  const auto slab = [](SceneBuilder& k) { return k.box({-10, -10, -1}, {10, 10, 0}); };
   {
-    Kit k;
+    SceneBuilder k;
     k.add(k.subtract({slab(k), k.sphere(0.5).at({5, 5, 0}).with(k.clear(1.7))}).with(k.clear(1.5)));
     CHECK(index_inside(k) == Approx(1.5));
   }
   {
-    Kit k;
+    SceneBuilder k;
     k.add(k.subtract({k.unite({slab(k).with(k.clear(1.3)), k.sphere(0.1).at({3, 3, 0})}),
                       k.sphere(0.5).at({5, 5, 0}).with(k.clear(1.7))}));
     CHECK(index_inside(k) == Approx(1.3));
   }
   {
-    Kit k; // the leftmost part inherits from the group around
+    SceneBuilder k; // the leftmost part inherits from the group around
     const scene::Object solid = k.unite({slab(k), k.sphere(0.1).at({3, 3, 0}).with(k.clear(1.7))});
     k.add(k.group({solid}).with(k.clear(1.4)));
     CHECK(index_inside(k) == Approx(1.4));
   }
   {
-    Kit k; // an opaque part does not count
+    SceneBuilder k; // an opaque part does not count
     k.add(k.unite({k.sphere(0.1).at({0, 3, 0}).with(k.glow(1)), slab(k).with(k.clear(1.6))}));
     CHECK(index_inside(k) == Approx(1.6));
   }
@@ -265,7 +266,7 @@ TEST_CASE("whitted: a combination is one medium, with the index of its own mater
 
 TEST_CASE("whitted: the inside of a glass combination is entered and left once") {
   // A shell of glass: entered, left into the hollow, entered and left again.
-  Kit k;
+  SceneBuilder k;
   k.add(k.subtract({k.sphere(2), k.sphere(1)}).with(k.clear(1.5)));
   const RayList list = rays_of(k, {0.3, 0, 5}, {0, 0, -1});
   REQUIRE(list.rays.size() == 5);
@@ -280,7 +281,7 @@ TEST_CASE("whitted: the inside of a glass combination is entered and left once")
 }
 
 TEST_CASE("whitted: recording changes nothing") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.reflect = grey(0.3), m.refract = 0.6, m.ior = 1.4, m.fresnel = true, m.specular = 0.5;
   for (int i = 0; i < 5; ++i) k.add(k.sphere(0.6).at({1.0 * i, 0.2 * i, 0}).with(k.material(m)));
@@ -300,7 +301,7 @@ TEST_CASE("whitted: recording changes nothing") {
 }
 
 TEST_CASE("whitted: a lit convex solid shows no speckle, whatever its size, place and transform") {
-  const auto solid = [](Kit& k, int which) -> scene::Object {
+  const auto solid = [](SceneBuilder& k, int which) -> scene::Object {
     if (which == 0) return k.sphere();
     if (which == 1) return k.shape(scene::Cone{});
     if (which == 2) return k.box({-1, -1, -1}, {1, 1, 1});
@@ -310,7 +311,7 @@ TEST_CASE("whitted: a lit convex solid shows no speckle, whatever its size, plac
   for (const double size : {1e-9, 1.0, 1e9})
     for (const Vec3& place : {Vec3{0, 0, 0}, Vec3{1e4, -2e4, 3e4}})
       for (int which = 0; which < 4; ++which) {
-        Kit k;
+        SceneBuilder k;
         const auto sheared = k.chained({scene::ShearStep{.xy = 0.5, .zy = 0.3}, scene::RotateStep{{20, 30, 40}, {}},
                                         scene::ScaleStep{{size, size * 0.3, size}, {}}, scene::MoveStep{place * size}});
         k.add(k.group({solid(k, which)}).transformed(sheared));
@@ -330,7 +331,7 @@ TEST_CASE("whitted: a lit convex solid shows no speckle, whatever its size, plac
 }
 
 TEST_CASE("whitted: what a ray sees does not depend on those it travels with") {
-  Kit k;
+  SceneBuilder k;
   scene::Material glass;
   glass.reflect = grey(0.3), glass.refract = 0.7, glass.ior = 1.4, glass.fresnel = true, glass.specular = 0.5;
   scene::Material film; // bends nothing, so that rays cross it

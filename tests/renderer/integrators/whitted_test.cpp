@@ -1,16 +1,17 @@
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/asked.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 namespace {
 
 const double pi = 3.14159265358979323846;
 
 // A ray straight down on the floor y = 0, at the origin.
-Color floor_seen_from_above(const Kit& k) {
+Color floor_seen_from_above(const SceneBuilder& k) {
   return Asked(k).radiance({0, 5, 0}, {0, -1, 0});
 }
 
@@ -28,7 +29,7 @@ scene::Material no_light() {
 } // namespace
 
 TEST_CASE("whitted: ambient and emission in the surface's colour, less what it lets by") {
-  Kit k;
+  SceneBuilder k;
   k.scene.ambient = {0.1, 0.2, 0.4};
   scene::Material m;
   m.color = Color{0.5, 0.25, 1};
@@ -42,7 +43,7 @@ TEST_CASE("whitted: ambient and emission in the surface's colour, less what it l
 }
 
 TEST_CASE("whitted: Lambert's cosine, on either side of a surface") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.color = Color{1, 0.5, 0.25};
   k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
@@ -68,7 +69,7 @@ TEST_CASE(
     m.highlight = form;
     for (const double refract : {0.0, 0.5}) { // it does not matter how much the surface lets by
       m.refract = refract;
-      Kit k;
+      SceneBuilder k;
       k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
       k.point_light(above_floor(60, 3));
       CHECK(floor_seen_from_above(k).r == Approx(0.75 * std::pow(cosine, 10)).epsilon(1e-13));
@@ -80,7 +81,7 @@ TEST_CASE("whitted: a metal's highlight takes its colour, less so towards grazin
   scene::Material m = no_light();
   m.color = Color{1, 0.5, 0};
   m.specular = 1, m.shininess = 1, m.metallic = 0.5;
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
   k.point_light(above_floor(60, 3));
   // Φ(60°) = 0.059270 by the formula of POV-Ray's manual, x = ⅔.
@@ -97,21 +98,21 @@ TEST_CASE("whitted: lights fade by their law") {
                                       {Law::linear, 1.0 / 3},
                                       {Law::quadratic, 1.0 / 5},
                                       {Law::inverse_square, 1.0 / 16}}) {
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     scene::PointLight light;
     light.at = {0, 4, 0}, light.fade = {law, 2};
-    k.light(light);
+    k.add(light);
     CHECK(floor_seen_from_above(k).r == Approx(0.8 * expected));
     scene::SpotLight spot;
     spot.at = {0, 4, 0}, spot.fade = {law, 2}, spot.intensity = 3;
-    k.light(spot);
+    k.add(spot);
     CHECK(floor_seen_from_above(k).r == Approx(0.8 * 4 * expected));
   }
 }
 
 TEST_CASE("whitted: a sun shines the same everywhere, from beyond everything") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 1, 0}, 0));
   k.sun({3, -4, 0}, {1, 0.5, 0});
   CHECK(floor_seen_from_above(k).r == Approx(0.8 * 0.8));
@@ -124,67 +125,64 @@ TEST_CASE("whitted: a spot is full within its angle, none beyond its falloff, a 
   // Half angles 20° and 40°; at 30°: q = (cos 30° − cos 40°) / (cos 20° − cos 40°), (3 − 2q) q² = 0.612781.
   for (const auto& [degrees, expected] :
        {std::pair{0.0, 1.0}, {19.99, 1.0}, {30.0, 0.6127812}, {40.01, 0.0}, {80.0, 0.0}}) {
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     scene::SpotLight spot;
     spot.at = above_floor(0, 5);
     spot.look_at = spot.at + Vec3{-std::sin(degrees * pi / 180), -std::cos(degrees * pi / 180), 0};
     spot.angle = 40, spot.falloff = 80;
-    k.light(spot);
+    k.add(spot);
     CHECK(floor_seen_from_above(k).r == Approx(0.8 * expected).epsilon(1e-6));
   }
   for (const auto& [degrees, expected] : {std::pair{19.99, 1.0}, {20.01, 0.0}}) { // without falloff the edge is hard
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     scene::SpotLight spot;
     spot.at = above_floor(degrees, 5);
     spot.look_at = spot.at + Vec3{0, -1, 0};
     spot.angle = 40;
-    k.light(spot);
+    k.add(spot);
     CHECK(floor_seen_from_above(k).r == Approx(0.8 * std::cos(degrees * pi / 180) * expected));
   }
 }
 
 TEST_CASE("whitted: a spot of which nothing is said lights what lies below it, at the origin") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 1, 0}, 0));
-  k.light(scene::SpotLight{});
+  k.add(scene::SpotLight{});
   CHECK(floor_seen_from_above(k).r == Approx(0.8)); // straight down, without fading
 }
 
 TEST_CASE("whitted: lights move with the composites they stand in") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 1, 0}, 0));
-  scene::Light light;
   scene::SunLight sun;
   sun.direction = {-1, 0, 0};
-  light.source = sun;
   scene::Placement turned;
   turned.rotate = {0, 0, 30};
-  light.enclosing = {turned};
-  k.scene.lights.push_back(light);
+  k.add(sun).enclosing = {turned};
   // −x turned by 30° about z points 30° downwards: n·l = sin 30°.
   CHECK(floor_seen_from_above(k).r == Approx(0.8 * 0.5));
 }
 
 TEST_CASE("whitted: a light without shadows passes everything and makes no highlight") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.specular = 1;
   k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
   k.add(k.sphere(0.5).at({3, 3, 0}));
   scene::PointLight light;
   light.at = {4, 4, 0};
-  k.light(light);
+  k.add(light);
   CHECK(floor_seen_from_above(k) == black);
   light.shadows = false;
-  k.light(light);
+  k.add(light);
   CHECK(floor_seen_from_above(k).r == Approx(0.8 * std::sqrt(0.5)));
 }
 
 TEST_CASE("whitted: a lamp within a surface shines, one behind it does not") {
   for (const auto& [height, expected] : {std::pair{4.0, 0.8}, {4.0000001, 0.0}, {3.9999999, 0.8}}) {
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     k.add(k.plane({0, -1, 0}, -4)); // a ceiling at y = 4
     k.point_light({0, height, 0});
@@ -197,7 +195,7 @@ TEST_CASE("whitted: coloured glass filters light at each surface, and light goes
   scene::Material glass = no_light();
   glass.color = c, glass.refract = 0.8, glass.ior = 1.5;
   for (int times = 1; times <= 4; ++times) {
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     const auto material = k.material(glass);
     // Spheres are crossed twice, a disc once.
@@ -212,7 +210,7 @@ TEST_CASE("whitted: coloured glass filters light at each surface, and light goes
 }
 
 TEST_CASE("whitted: something opaque among the glass blocks all light, what casts no shadow none") {
-  Kit k;
+  SceneBuilder k;
   const auto glass = k.clear(1.5);
   k.add(k.plane({0, 1, 0}, 0));
   k.add(k.sphere(0.25).at({3, 3, 0}).with(glass));
@@ -226,7 +224,7 @@ TEST_CASE("whitted: something opaque among the glass blocks all light, what cast
 
 TEST_CASE("whitted: checker cells, with negative coordinates and a floor that lies between cells") {
   const Color a{1, 0, 0}, b{0, 0, 1};
-  Kit k;
+  SceneBuilder k;
   scene::Material m = no_light();
   m.color = k.checker(a, b), m.emission = grey(1);
   k.add(k.plane({0, 1, 0}, -2).with(k.material(m)));
@@ -243,7 +241,7 @@ TEST_CASE("whitted: checker cells, with negative coordinates and a floor that li
 
 TEST_CASE("whitted: a pattern moves with the object that writes it and has a placement of its own") {
   const Color a{1, 0, 0}, b{0, 0, 1};
-  Kit k;
+  SceneBuilder k;
   scene::Material m = no_light();
   m.color = k.checker(a, b, {.scale = {2, 2, 2}, .rotate = {}, .at = {0.5, 0, 0}, .chain = {}}), m.emission = grey(1);
   k.add(k.box({-10, -1, -10}, {10, -0.5, 10}).with(k.material(m)).at({100, 0, 0}));
@@ -256,7 +254,7 @@ TEST_CASE("whitted: a pattern moves with the object that writes it and has a pla
 }
 
 TEST_CASE("whitted: a triangle with normals of its own is shaded by them") {
-  Kit k;
+  SceneBuilder k;
   scene::Triangle t;
   t.points = {Vec3{-1, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 0, -1}};
   t.normals = {Vec3{-0.6, 0.8, 0}, Vec3{0.6, 0.8, 0}, Vec3{0, 1, 0}};

@@ -2,8 +2,8 @@
 #include "tests/support/shapes.hpp"
 
 using namespace rt;
-using rt::test::near;
-using rt::test::Random;
+using rt::tests::near;
+using rt::tests::Random;
 
 TEST_CASE("maps: those that keep shapes similar are known with their factor") {
   CHECK(similarity_scale(Affine{}) == 1.0);

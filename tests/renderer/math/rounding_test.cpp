@@ -2,7 +2,7 @@
 #include "tests/support/shapes.hpp"
 
 using namespace rt;
-using rt::test::Random;
+using rt::tests::Random;
 
 TEST_CASE("rounding: the bound is that of Higham's γ") {
   CHECK(rounding_bound(1) > 0x1p-53);

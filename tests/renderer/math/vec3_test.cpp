@@ -2,7 +2,7 @@
 #include "tests/support/shapes.hpp"
 
 using namespace rt;
-using rt::test::near;
+using rt::tests::near;
 
 // The examples of the source notes.
 TEST_CASE("vectors: dot and cross products, unit vector and angle") {

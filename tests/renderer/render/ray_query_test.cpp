@@ -1,13 +1,13 @@
 #include "renderer/render/ray_query.hpp"
-#include "tests/support/scene_kit.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::kit;
+using namespace rt::tests;
 
 TEST_CASE("tracer: a report says where, what and of which material") {
-  Kit k;
+  SceneBuilder k;
   scene::Material m;
   m.color = Color{0.5, 0.25, 1};
   m.ior = 1.5, m.fresnel = true;
@@ -34,7 +34,7 @@ TEST_CASE("tracer: a report says where, what and of which material") {
 }
 
 TEST_CASE("tracer: POV-Ray's limits hide what is nearer than 1e-4") {
-  Kit k;
+  SceneBuilder k;
   k.add(k.plane({0, 0, 1}, -0.5e-4).with(k.glow(1)));
   k.add(k.plane({0, 0, 1}, -5).with(k.glow(0.25)));
   const RayQuery query(k.scene);
@@ -46,7 +46,7 @@ TEST_CASE("tracer: POV-Ray's limits hide what is nearer than 1e-4") {
 TEST_CASE("tracer: POV-Ray's shadows begin 1e-3 from the surface and end as far from the lamp") {
   using enum IntegratorKind;
   for (const auto& [height, is_shadow_of_povray] : {std::pair{0.8e-3, false}, {2e-3, true}, {0.9985, false}}) {
-    Kit k;
+    SceneBuilder k;
     k.add(k.plane({0, 1, 0}, 0));
     scene::Disc disc;
     disc.radius = 1e-4;

@@ -1,4 +1,5 @@
 #include "renderer/render/render.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,29 +12,17 @@ using namespace rt;
 
 // A red unit sphere resting on a grey plane, seen and lit from +z.
 scene::Scene sphere_on_plane() {
-  scene::Scene s;
+  tests::SceneBuilder build;
+  scene::Scene& s = build.scene;
   s.size = {64, 48};
   s.camera.at = {0, 1, 6};
   s.camera.look_at = {0, 1, 0};
   s.ambient = grey(0.1);
   s.background = {0, 0, 1};
-  scene::Material red;
-  red.color = Color{1, 0, 0};
-  s.materials.push_back(red);
-  scene::Object sphere;
-  sphere.at = {0, 1, 0};
-  sphere.shape = s.shapes.add(scene::Sphere{1});
-  sphere.material = scene::MaterialId{0};
-  s.objects.push_back(sphere);
-  scene::Object floor;
-  floor.shape = s.shapes.add(scene::Plane{});
-  s.objects.push_back(floor);
-  scene::PointLight lamp;
-  lamp.at = {0, 1, 6};
-  scene::Light light;
-  light.source = lamp;
-  s.lights.push_back(light);
-  return s;
+  build.add(build.sphere().at({0, 1, 0}).with(build.material(Color{1, 0, 0})));
+  build.add(build.shape(scene::Plane{}));
+  build.point_light({0, 1, 6});
+  return std::move(s);
 }
 
 } // namespace
@@ -96,19 +85,14 @@ TEST_CASE("render: a stop that is already set leaves the picture incomplete") {
 
 TEST_CASE("render: a stop ends even a pixel that would take for ever") {
   // Panes that mirror and let by, one behind the other: the rays of one pixel double with every level.
-  scene::Scene s = sphere_on_plane();
-  s.materials[0].reflect = grey(0.5);
-  s.materials[0].refract = 0.5;
+  tests::SceneBuilder build;
+  scene::Scene& s = build.scene;
+  s.size = {64, 48};
   s.max_depth = 60;
-  for (int i = 0; i < 6; ++i) {
-    scene::Object pane;
-    scene::Plane plane;
-    plane.normal = {0, 0, 1};
-    plane.offset = 4 - i;
-    pane.shape = s.shapes.add(plane);
-    pane.material = scene::MaterialId{0};
-    s.objects.push_back(pane);
-  }
+  scene::Material half;
+  half.reflect = grey(0.5);
+  half.refract = 0.5;
+  for (int i = 0; i < 6; ++i) build.add(build.plane({0, 0, 1}, 4 - i).with(build.material(half)));
   std::atomic<bool> stop = false;
   RenderOptions options;
   options.stop = &stop;

@@ -7,7 +7,7 @@
 
 using namespace rt;
 using namespace rt::scene;
-using rt::test::Random;
+using rt::tests::Random;
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include "tests/support/shapes.hpp"
 
 using namespace rt;
-using namespace rt::test;
+using namespace rt::tests;
 
 namespace {
 const BoxGeometry box{{-1, -2, -3}, {1, 2, 3}};

@@ -5,7 +5,7 @@
 #include <numbers>
 
 using namespace rt;
-using namespace rt::test;
+using namespace rt::tests;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "tests/support/shapes.hpp"
 
 using namespace rt;
-using namespace rt::test;
+using namespace rt::tests;
 
 namespace {
 

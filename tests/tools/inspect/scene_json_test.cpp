@@ -1,4 +1,4 @@
-#include "tests/support/scene_builder.hpp"
+#include "tests/support/scenes.hpp"
 #include "tools/inspect/scene_hash.hpp"
 #include "tools/inspect/scene_json.hpp"
 
@@ -10,7 +10,7 @@
 
 using namespace rt;
 using nlohmann::json;
-using rt::tests::SceneBuilder;
+using rt::tests::WrittenScene;
 
 namespace {
 
@@ -21,8 +21,8 @@ std::string text_of(const scene::Scene& scene) {
 }
 
 /// A scene with something of everything.
-SceneBuilder everything() {
-  SceneBuilder b;
+WrittenScene everything() {
+  WrittenScene b;
   const auto pattern = b.pattern({.a = Color{1, 0, 0}, .b = black, .placement = {{2, 2, 2}, {}, {}, {}}});
   const auto tiled = b.material({.color = pattern, .reflect = {0.1, 0.2, 0.3}, .refract = 0.9, .ior = 1.5});
   b.scene.names = {"ball", "key \"light\"\n"};
@@ -33,7 +33,7 @@ SceneBuilder everything() {
   floor.y = -1;
   b.place(floor);
   const scene::Object member = b.object(scene::Box{}, scene::no_material, {0, 1, 0});
-  b.place(scene::Group{{member, member}}).transform = b.transform(
+  b.place(scene::Group{{member, member}}).transform = *b.transform(
       {{1, 1, 1}, {0, 30, 0}, {}, {scene::MoveStep{{1, 0, 0}}, scene::ShearStep{.xy = 0.5}, scene::MatrixStep{}}});
   b.place(
       scene::Combination{scene::Combination::Operation::subtract, {b.object(scene::Box{}), b.object(scene::Sphere{})}});
@@ -97,7 +97,7 @@ TEST_CASE("scene as JSON: settings, camera, lights, materials and patterns have 
 }
 
 TEST_CASE("scene as JSON: numbers keep all their digits and every object has a line") {
-  SceneBuilder b;
+  WrittenScene b;
   for (const double radius : {0.1, 1.0 / 3, 1e-300, 123456789.123456789, std::numeric_limits<double>::max()})
     b.place(scene::Sphere{radius});
   const std::string text = text_of(b.scene);
@@ -113,7 +113,7 @@ TEST_CASE("scene as JSON: numbers keep all their digits and every object has a l
 }
 
 TEST_CASE("scene as JSON: a number that is not finite is a word") {
-  SceneBuilder b;
+  WrittenScene b;
   b.place(scene::Sphere{std::numeric_limits<double>::infinity()});
   CHECK(json::parse(text_of(b.scene))["objects"][0]["radius"] == "inf");
 }

@@ -13,7 +13,7 @@ namespace {
 const explain::Question middle{.pixel = std::array{24, 18}};
 
 struct LiveSession {
-  lang::testing::SessionDriver driver;
+  tests::SessionDriver driver;
   live::SessionScene scene{driver.session, {}};
 
   std::vector<Rgb32> picture() { return scene.render({scene::Resolution{48, 36}, {}, {}}, {}).film.color; }
@@ -25,13 +25,13 @@ TEST_CASE("session scene: a picture follows every change, and is the whole scene
   live.driver.say("ball = sphere { material: red }");
   live.driver.say("ball");
   const std::vector<Rgb32> small = live.picture();
-  CHECK(lang::testing::are_equal(small, lang::testing::picture(live.driver.session.scene())));
+  CHECK(tests::are_equal(small, tests::picture(live.driver.session.scene())));
   live.driver.session.set("ball.radius", "2");
   const std::vector<Rgb32> large = live.picture();
-  CHECK_FALSE(lang::testing::are_equal(large, small));
-  CHECK(lang::testing::are_equal(large, lang::testing::picture(live.driver.session.scene())));
+  CHECK_FALSE(tests::are_equal(large, small));
+  CHECK(tests::are_equal(large, tests::picture(live.driver.session.scene())));
   live.driver.session.undo();
-  CHECK(lang::testing::are_equal(live.picture(), small));
+  CHECK(tests::are_equal(live.picture(), small));
 }
 
 TEST_CASE("session scene: answers name lines of the document as it would be saved, and follow its changes") {
@@ -59,7 +59,7 @@ TEST_CASE("session scene: the document is loaded once for a version and its sett
 }
 
 TEST_CASE("session scene: loading that is stopped leaves a document without a scene, and is tried again") {
-  lang::testing::SessionDriver driver;
+  tests::SessionDriver driver;
   driver.say("for i in 1..1000 { sphere { at: [i, 0, 0] } }");
   std::atomic<bool> stop = true;
   lang::LoadOptions options;

@@ -1,4 +1,4 @@
-#include "tests/support/scene_builder.hpp"
+#include "tests/support/scenes.hpp"
 #include "tools/povray/export/export.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,12 +10,12 @@ using Catch::Contains;
 
 namespace {
 
-std::string exported(const SceneBuilder& b, Pass pass = Pass::color) {
+std::string exported(const WrittenScene& b, Pass pass = Pass::color) {
   return export_povray(b.scene, {.pass = pass, .comments = false}).text;
 }
 template <class S>
 std::string exported_shape(S shape) {
-  SceneBuilder b;
+  WrittenScene b;
   b.place(std::move(shape));
   return exported(b);
 }
@@ -34,7 +34,7 @@ scene::Plane plane_y(double y) {
 } // namespace
 
 TEST_CASE("export: the camera is four vectors, its width that of the horizontal field of view") {
-  SceneBuilder b;
+  WrittenScene b;
   b.scene.size = {200, 100};
   b.scene.camera = {.at = {0, 0, 5}, .look_at = {0, 0, 0}, .up = {0, 2, 0}, .fov = 90};
   const std::string text = exported(b);
@@ -49,7 +49,7 @@ TEST_CASE("export: the camera is four vectors, its width that of the horizontal 
 }
 
 TEST_CASE("export: one level more than the greatest depth, and nothing is cut off") {
-  SceneBuilder b;
+  WrittenScene b;
   b.scene.max_depth = 5;
   CHECK_THAT(exported(b), Contains("max_trace_level 6") && Contains("adc_bailout 0"));
 }
@@ -96,7 +96,7 @@ TEST_CASE("export: shapes and their forms") {
 }
 
 TEST_CASE("export: every term of a material") {
-  SceneBuilder b;
+  WrittenScene b;
   const auto m = b.material({.color = Color{0.1, 0.2, 0.3},
                              .ambient = grey(0.5),
                              .diffuse = grey(0.6),
@@ -122,7 +122,7 @@ TEST_CASE("export: every term of a material") {
 }
 
 TEST_CASE("export: a pattern of numbers becomes a pattern of textures, and what stands inside is moved back") {
-  SceneBuilder b;
+  WrittenScene b;
   const auto dots = b.pattern({scene::PatternKind::checker, grey(1), grey(0), {{2, 2, 2}, {}, {}, {}}});
   const auto cells = b.pattern({scene::PatternKind::checker, white, black, {{4, 4, 4}, {}, {}, {}}});
   scene::Material m;
@@ -137,7 +137,7 @@ TEST_CASE("export: a pattern of numbers becomes a pattern of textures, and what 
 }
 
 TEST_CASE("export: lights, their fades and placements") {
-  SceneBuilder b;
+  WrittenScene b;
   b.light(scene::PointLight{{white, 2, true}, {1, 2, 3}, {scene::Fade::Law::quadratic, 4}});
   CHECK_THAT(exported(b), Contains("light_source { <1, 2, 3>, rgb <1, 1, 1> fade_distance 4 fade_power 2 }"));
   b.scene.lights[0].source = scene::PointLight{{white, 2, false}, {1, 2, 3}, {scene::Fade::Law::linear, 4}};
@@ -155,7 +155,7 @@ TEST_CASE("export: lights, their fades and placements") {
 }
 
 TEST_CASE("export: groups keep every surface, solids their outer boundary, and shared groups are written once") {
-  SceneBuilder b;
+  WrittenScene b;
   scene::Group group{{b.object(scene::Sphere{1}), b.object(scene::Sphere{2})}};
   b.place(group);
   CHECK_THAT(exported(b), Contains("union {"));
@@ -167,7 +167,7 @@ TEST_CASE("export: groups keep every surface, solids their outer boundary, and s
                        Contains("object { shared_1 texture { material_default } translate <3, 0, 0> }"));
   CHECK(count(exported(b, Pass::ids), "sphere {") == 4);
 
-  SceneBuilder solid;
+  WrittenScene solid;
   scene::Combination difference{
       scene::Combination::Operation::subtract,
       {solid.object(scene::Sphere{1}),
@@ -177,7 +177,7 @@ TEST_CASE("export: groups keep every surface, solids their outer boundary, and s
 }
 
 TEST_CASE("export: what is not visible is absent, what casts no shadow says so") {
-  SceneBuilder b;
+  WrittenScene b;
   b.place(scene::Sphere{1}).is_visible = false;
   b.place(scene::Sphere{2}).casts_shadow = false;
   const std::string text = exported(b);
@@ -185,7 +185,7 @@ TEST_CASE("export: what is not visible is absent, what casts no shadow says so")
 }
 
 TEST_CASE("export: comments name what stands there and where it was written; without them the text is the same") {
-  SceneBuilder b;
+  WrittenScene b;
   b.scene.names = {"ball\nof glass"};
   b.place(scene::Sphere{1}).name = scene::NameId{0};
   const std::string text = export_povray(b.scene).text;
@@ -200,7 +200,7 @@ TEST_CASE("export: comments name what stands there and where it was written; wit
 }
 
 TEST_CASE("export: what POV-Ray cannot do is named with its place") {
-  SceneBuilder b;
+  WrittenScene b;
   b.place(scene::Sphere{1});
   CHECK(export_povray(b.scene).inexact.empty());
   b.scene.max_depth = 300;

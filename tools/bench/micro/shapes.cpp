@@ -49,12 +49,9 @@ void intersect_one(benchmark::State& state) {
   state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
 }
 
-template <class S>
-constexpr bool is_composite = std::is_same_v<S, scene::Group> || std::is_same_v<S, scene::Combination>;
-
 [[maybe_unused]] const bool are_registered = [] {
   scene::ShapeKinds::for_each([]<class S>() {
-    if constexpr (!is_composite<S>)
+    if constexpr (!scene::is_composite<S>)
       benchmark::RegisterBenchmark(("intersect_" + std::string(S::noun)).c_str(), &intersect_one<S>);
   });
   return true;

@@ -1,5 +1,7 @@
 #include "tools/bench/scenes/describe.hpp"
 
+#include "renderer/scene/builder.hpp"
+
 namespace rt::tools::bench {
 namespace {
 
@@ -19,7 +21,8 @@ scene::Material material(const Finish& f) {
 } // namespace
 
 scene::Scene describe(const Layout& layout) {
-  scene::Scene scene;
+  scene::Builder build;
+  scene::Scene& scene = build.scene;
   scene.size = {picture_size, picture_size};
   scene.background = layout.background;
   scene.ambient = white;
@@ -29,15 +32,12 @@ scene::Scene describe(const Layout& layout) {
     scene::PointLight source;
     source.at = light.at;
     source.color = light.color;
-    scene.lights.emplace_back().source = source;
+    build.add(source);
   }
-  for (const Finish& f : layout.finishes) scene.materials.push_back(material(f));
+  std::vector<scene::MaterialId> materials;
+  for (const Finish& f : layout.finishes) materials.push_back(build.material(material(f)));
   const auto add = [&](auto shape, std::uint32_t finish, const Vec3& at = {}) {
-    scene::Object object;
-    object.at = at;
-    object.shape = scene.shapes.add(std::move(shape));
-    object.material = scene::MaterialId{finish};
-    scene.objects.push_back(object);
+    build.add({.at = at, .shape = build.shape(std::move(shape)), .material = materials[finish]});
   };
   for (const FloorShape& s : layout.floors) {
     scene::Plane floor;
@@ -54,7 +54,7 @@ scene::Scene describe(const Layout& layout) {
     add(tube, s.finish);
   }
   for (const TriangleShape& s : layout.triangles) add(scene::Triangle{s.points, {}}, s.finish);
-  return scene;
+  return std::move(scene);
 }
 
 } // namespace rt::tools::bench

@@ -121,7 +121,7 @@ Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path
   derivation.is_own_space = !only_moves(map);
   derivation.ray = derivation.is_own_space ? back->ray(ray) : ray;
   scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
-    if constexpr (!is_composite<S>) {
+    if constexpr (!scene::is_composite<S>) {
       derivation.shape = S::noun;
       Steps steps(derivation, found);
       const auto own = geometry(shape);

@@ -107,7 +107,7 @@ bool is_solid(const scene::Scene& scene, const std::vector<const scene::Object*>
   for (const scene::Object* object : objects)
     if (object->shape.kind == scene::kind_of<scene::Combination>) return true;
   return scene.shapes.visit(objects.back()->shape, []<class S>(const S& shape) {
-    if constexpr (is_composite<S> || std::is_same_v<S, scene::Plane>)
+    if constexpr (scene::is_composite<S> || std::is_same_v<S, scene::Plane>)
       return false;
     else
       return rt::is_solid(geometry(shape));

@@ -1,5 +1,6 @@
 #include "tools/povray/export/export.hpp"
 
+#include "renderer/scene/validate.hpp"
 #include "tools/povray/export/export_parts.hpp"
 
 #include <fmt/format.h>
@@ -140,12 +141,12 @@ private:
 
   // POV-Ray wants no composite without members.
   bool has_surface(const Object& o) const {
-    if (!o.is_visible || !is_composite(o.shape)) return o.is_visible;
-    const auto& parts = members(o.shape);
+    if (!o.is_visible || !refers_to_composite(o.shape)) return o.is_visible;
+    const auto& all = parts(scene_.shapes, o.shape);
     if (o.shape.kind == kind_of<Combination> &&
         scene_.shapes.get<Combination>(o.shape).operation == Combination::Operation::subtract)
-      return !parts.empty() && has_surface(parts.front());
-    return std::any_of(parts.begin(), parts.end(), [&](const Object& part) { return has_surface(part); });
+      return !all.empty() && has_surface(all.front());
+    return std::any_of(all.begin(), all.end(), [&](const Object& part) { return has_surface(part); });
   }
 
   void object(Writer& out, const Object& o, const Around& around) {
@@ -173,7 +174,7 @@ private:
       inside.is_apart = true;
       inside.after_plain = modifiers;
       inside.after_textured = (o.casts_shadow ? "" : " no_shadow") + own + around.after_textured + last;
-      return objects(out, members(o.shape), inside);
+      return objects(out, parts(scene_.shapes, o.shape), inside);
     }
     inside.is_apart = false;
     inside.after_plain.clear();
@@ -255,7 +256,7 @@ private:
   // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
   bool must_be_apart(const Object& o, const Around& inside) const {
     if (!has_media_) return false;
-    for (const Object& member : members(o.shape)) {
+    for (const Object& member : parts(scene_.shapes, o.shape)) {
       if (!member.is_visible) continue;
       Around next = inside;
       next.to_scene = then(map_of(placement_of(scene_, member)), inside.to_scene);
@@ -270,19 +271,10 @@ private:
   template <class Is>
   const Material* leftmost(const Object& o, MaterialId inherited, const Is& is_such) const {
     const MaterialId id = o.material != no_material ? o.material : inherited;
-    if (!is_composite(o.shape)) return is_such(material(id)) ? &material(id) : nullptr;
-    for (const Object& part : members(o.shape))
+    if (!refers_to_composite(o.shape)) return is_such(material(id)) ? &material(id) : nullptr;
+    for (const Object& part : parts(scene_.shapes, o.shape))
       if (const Material* found = part.is_visible ? leftmost(part, id, is_such) : nullptr) return found;
     return nullptr;
-  }
-
-  static bool is_composite(ShapeRef shape) {
-    return shape.kind == kind_of<Group> || shape.kind == kind_of<Combination>;
-  }
-
-  const std::vector<Object>& members(ShapeRef shape) const {
-    return shape.kind == kind_of<Group> ? scene_.shapes.get<Group>(shape).members
-                                        : scene_.shapes.get<Combination>(shape).operands;
   }
 
   void group(Writer& out, ShapeRef shape, const Around& inside, const std::string& modifiers) {
@@ -315,7 +307,7 @@ private:
       return;
     }
     out.open(word);
-    objects(out, members(shape), inside);
+    objects(out, parts(scene_.shapes, shape), inside);
     out.close(modifiers.empty() ? modifiers : modifiers.substr(1));
   }
 
@@ -329,7 +321,7 @@ private:
     shared_.emplace(key, name);
     out.blank();
     out.open(fmt::format("#declare {} = {}", name, word));
-    objects(out, members(shape), inside);
+    objects(out, parts(scene_.shapes, shape), inside);
     out.close();
     declarations_ += out.take();
     return name;
@@ -354,10 +346,10 @@ private:
   }
 
   void count_uses(const Object& o) {
-    if (!o.is_visible || !is_composite(o.shape)) return;
+    if (!o.is_visible || !refers_to_composite(o.shape)) return;
     const bool is_group = o.shape.kind == kind_of<Group>;
     if (++(is_group ? group_uses_ : combination_uses_)[o.shape.index] > 1) return;
-    for (const Object& member : members(o.shape)) count_uses(member);
+    for (const Object& member : parts(scene_.shapes, o.shape)) count_uses(member);
   }
 
   std::string_view noun(ShapeRef shape) const {
@@ -398,6 +390,7 @@ private:
 } // namespace
 
 Exported export_povray(const Scene& scene, const ExportOptions& options) {
+  require_none(validate(scene));
   return Exporter(scene, options).run();
 }
 

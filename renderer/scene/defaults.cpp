@@ -1,4 +1,4 @@
-#include "lang/evaluate/defaults.hpp"
+#include "renderer/scene/defaults.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rt::lang {
+namespace rt::scene {
 namespace {
 
 constexpr Vec3 towards_the_eye{0.5, 0.45, 1};
@@ -16,14 +16,8 @@ std::string text(const Vec3& v) {
   return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z);
 }
 
-} // namespace
-
-scene::Camera framing_camera(const scene::Scene& scene) {
-  return framing_camera(scene::finite_bounds(scene), scene.size);
-}
-
-scene::Camera framing_camera(const Box3& box, scene::Resolution size) {
-  scene::Camera camera;
+Camera framing_camera(const Box3& box, Resolution size) {
+  Camera camera;
   if (box.is_empty()) return camera;
   const double radius = length(box.extent()) / 2;
   const double across = std::tan(camera.fov / 2 * (std::numbers::pi / 180));
@@ -36,18 +30,18 @@ scene::Camera framing_camera(const Box3& box, scene::Resolution size) {
   return camera;
 }
 
-scene::Light key_sun() {
-  scene::Light light;
-  light.source = scene::SunLight{{}, {-1, -2, -1.5}};
-  return light;
+} // namespace
+
+std::string assume_camera(Scene& scene, const Box3& finite_bounds) {
+  scene.camera = framing_camera(finite_bounds, scene.size);
+  return fmt::format("there is no camera: looking from {} at {}", text(scene.camera.at), text(scene.camera.look_at));
 }
 
-std::string describe_camera(const scene::Camera& camera) {
-  return fmt::format("looking from {} at {}", text(camera.at), text(camera.look_at));
+std::string assume_light(Scene& scene) {
+  SunLight sun;
+  sun.direction = {-1, -2, -1.5};
+  scene.lights.push_back({sun, {}, {}, no_name, {}});
+  return fmt::format("there is no light: a sun shines along {}", text(sun.direction));
 }
 
-std::string describe_sun(const scene::Light& light) {
-  return fmt::format("a sun shines along {}", text(std::get<scene::SunLight>(light.source).direction));
-}
-
-} // namespace rt::lang
+} // namespace rt::scene

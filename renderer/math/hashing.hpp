@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace rt::lang {
+namespace rt {
 
 /// Sums up numbers into one of 64 bits, the same on every machine.
 class Hasher {
@@ -28,4 +28,4 @@ private:
   std::uint64_t hash_ = 0;
 };
 
-} // namespace rt::lang
+} // namespace rt

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+#include "renderer/math/vec3.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace rt::scene {
+
+/// What a field's numbers must satisfy (every component, for vectors) or how many points it takes.
+struct Constraint {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_is_excluded = false;
+  bool max_is_excluded = false;
+  bool is_whole = false;   ///< whole numbers only
+  bool is_nonzero = false; ///< a vector that must have a direction, or a number that must not be 0
+  int min_count = 0;       ///< points
+  int max_count = std::numeric_limits<int>::max();
+};
+
+inline constexpr Constraint any_value{};
+inline constexpr Constraint positive{.min = 0, .min_is_excluded = true};
+inline constexpr Constraint not_negative{.min = 0};
+inline constexpr Constraint zero_to_one{.min = 0, .max = 1};
+inline constexpr Constraint nonzero{.is_nonzero = true};
+
+/// How a value breaks a constraint. No number may be infinite or not a number, whatever the constraint.
+struct Violation {
+  enum class Kind : std::uint8_t { not_finite, out_of_bounds, no_direction, flattens, count };
+  Kind kind;
+  std::string rule;  ///< a sentence behind the field's name: "must be greater than 0"
+  std::string found; ///< "this is -1"
+};
+
+std::optional<Violation> check(const Constraint& constraint, double number);
+std::optional<Violation> check(const Constraint& constraint, const Vec3& vector);
+std::optional<Violation> check(const Constraint& constraint, const Color& color);
+/// Of a vector that holds a factor for each axis.
+std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size);
+/// Of a list of points: how many there are.
+std::optional<Violation> check_count(const Constraint& constraint, std::size_t count);
+
+} // namespace rt::scene

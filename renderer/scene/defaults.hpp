@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/scene/scene.hpp"
+
+#include <string>
+
+namespace rt::scene {
+
+/// Gives a scene the camera that its author left out, looking down on it from three-quarters above: with c the centre
+/// of `finite_bounds` and R half of its diagonal, the eye stands at c + 1.1 R / sin(a/2) · (0.5, 0.45, 1)/|(0.5, 0.45,
+/// 1)| and looks at c, where a is the smaller of the picture's two angles of view: the bounding sphere fits into the
+/// picture. Where there is nothing finite, it is the camera's defaults. Returns a note that says so.
+std::string assume_camera(Scene& scene, const Box3& finite_bounds);
+
+/// Gives a scene a sun, where it has no light and its `ambient` is not written. Returns a note that says so.
+std::string assume_light(Scene& scene);
+
+} // namespace rt::scene

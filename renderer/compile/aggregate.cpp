@@ -2,14 +2,36 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <utility>
 
 namespace rt {
+namespace {
+
+// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the
+// order from near to far: without it a group of groups of groups costs as much as all its copies.
+constexpr std::size_t least_for_tree = 4;
+
+// Between equally near leaves of one object. All its sets of leaves are parts of one aggregate, so that the order of
+// their addresses is always the same.
+bool is_before(const void* leaves, std::uint32_t index, const RayHit& other) {
+  if (leaves != other.leaves) return std::less<>()(leaves, other.leaves);
+  return index < other.index;
+}
+
+template <class Leaves>
+void arrange(Leaves& leaves) {
+  if constexpr (requires { leaves.arrange(); }) leaves.arrange();
+}
+
+} // namespace
 
 bool NearestQuery::offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind,
                          const void* leaves) {
   if (best && hit.t == best.t) {
     const std::uint32_t other = best.kind->tag(best.leaves, best.index).slot;
-    if (best.base + best.aggregate->order(other) <= base + aggregate.order(slot)) return false;
+    const std::uint64_t order = base + aggregate.order(slot), best_order = best.base + best.aggregate->order(other);
+    if (best_order < order || (best_order == order && !is_before(leaves, index, best))) return false;
   }
   interval.upper = hit.t;
   best = {hit.t, hit.part, index, 0, false, &kind, leaves, &aggregate, base};
@@ -29,18 +51,18 @@ void InspectQuery::add_around(std::uint32_t slot, double ior) {
 }
 
 void Aggregate::nearest(NearestQuery& query) const {
-  for (const Unbounded& leaf : unbounded_leaves_) leaf.kind->nearest(leaf.leaves, leaf.index, query);
+  for (const LooseLeaf& leaf : loose_leaves_) leaf.kind->nearest(leaf.leaves, leaf.index, query);
   if (!tree_.is_empty()) tree_.nearest(query);
 }
 
 bool Aggregate::blocks(ShadowQuery& query) const {
-  for (const Unbounded& leaf : unbounded_leaves_)
+  for (const LooseLeaf& leaf : loose_leaves_)
     if (leaf.kind->blocks(leaf.leaves, leaf.index, query)) return true;
   return !tree_.is_empty() && tree_.blocks(query);
 }
 
 void Aggregate::nearest(std::span<bvh::Query* const> queries) const {
-  for (const Unbounded& leaf : unbounded_leaves_)
+  for (const LooseLeaf& leaf : loose_leaves_)
     for (bvh::Query* query : queries) leaf.kind->nearest(leaf.leaves, leaf.index, static_cast<NearestQuery&>(*query));
   if (!tree_.is_empty()) tree_.nearest(queries);
 }
@@ -48,7 +70,7 @@ void Aggregate::nearest(std::span<bvh::Query* const> queries) const {
 std::array<bool, bvh::packet_size> Aggregate::blocks(std::span<bvh::Query* const> queries) const {
   std::array<bool, bvh::packet_size> answers{};
   if (!tree_.is_empty()) answers = tree_.blocks(queries);
-  for (const Unbounded& leaf : unbounded_leaves_)
+  for (const LooseLeaf& leaf : loose_leaves_)
     for (std::size_t i = 0; i < queries.size(); ++i)
       answers[i] = answers[i] || leaf.kind->blocks(leaf.leaves, leaf.index, static_cast<ShadowQuery&>(*queries[i]));
   return answers;
@@ -58,7 +80,7 @@ std::uint64_t Aggregate::order(std::uint32_t slot) const {
   const auto after = std::partition_point(steps_.begin(), steps_.end(), [&](const Step& s) { return s.slot < slot; });
   if (after == steps_.begin()) return slot;
   const Step& step = *(after - 1);
-  return step.order + step.leaf_count + (slot - step.slot - 1);
+  return step.order + step.object_count + (slot - step.slot - 1);
 }
 
 const Aggregate::Step* Aggregate::step_to(std::uint64_t order, std::uint32_t& slot) const {
@@ -70,8 +92,8 @@ const Aggregate::Step* Aggregate::step_to(std::uint64_t order, std::uint32_t& sl
   }
   const Step& step = *(after - 1);
   slot = step.slot;
-  if (order < step.order + step.leaf_count) return &step;
-  slot += static_cast<std::uint32_t>(order - step.order - step.leaf_count) + 1;
+  if (order < step.order + step.object_count) return &step;
+  slot += static_cast<std::uint32_t>(order - step.order - step.object_count) + 1;
   return nullptr;
 }
 
@@ -83,6 +105,74 @@ std::vector<std::uint32_t> Aggregate::path(std::uint32_t slot) const {
   for (std::uint32_t i = run.source; i != 0; i = sources_[i].parent) path.push_back(sources_[i].position);
   std::reverse(path.begin(), path.end());
   return path;
+}
+
+std::uint32_t AggregateBuilder::add_source(std::uint32_t parent, std::uint32_t position) {
+  aggregate_.sources_.push_back({parent, position});
+  return static_cast<std::uint32_t>(aggregate_.sources_.size() - 1);
+}
+
+std::uint32_t AggregateBuilder::add_object(std::uint32_t source, std::uint32_t position) {
+  auto& runs = aggregate_.runs_;
+  const std::uint32_t slot = slot_count_++;
+  if (runs.empty() || runs.back().source != source || runs.back().position + (slot - runs.back().slot) != position)
+    runs.push_back({slot, source, position});
+  return slot;
+}
+
+LeafSets& AggregateBuilder::sets_for(const Box3& box) {
+  aggregate_.box_.extend(box);
+  return box.is_finite() ? aggregate_.bounded_ : aggregate_.unbounded_;
+}
+
+void AggregateBuilder::add_solid(const SolidLeaves::PlacedSolid& solid, LeafTag tag) {
+  if (!solid.box.is_empty()) sets_for(solid.box).all<SolidLeaves>().add(solid, tag);
+}
+
+void AggregateBuilder::add_instance(const Aggregate& aggregate, const Affine& map, LeafTag tag) {
+  const Box3 box = transform_box(map, aggregate.box());
+  const Affine to_local = box.is_empty() ? Affine{} : scene::inverse_of_nested(map);
+  add_instance({&aggregate, map, to_local, aggregate_.order(tag.slot)}, box, tag);
+}
+
+void AggregateBuilder::add_part(const Aggregate& aggregate, std::uint32_t begin, LeafTag tag) {
+  add_instance({&aggregate, {}, {}, aggregate_.order(tag.slot), begin}, aggregate.box(), tag);
+}
+
+void AggregateBuilder::add_instance(const InstanceLeaves::Instance& instance, const Box3& box, LeafTag tag) {
+  Aggregate::Step& step = aggregate_.steps_.emplace_back(
+      Aggregate::Step{nullptr, 0, tag.slot, instance.order, instance.aggregate->object_count()});
+  if (box.is_empty()) return;
+  InstanceLeaves& leaves = sets_for(box).all<InstanceLeaves>();
+  step.leaves = &leaves;
+  step.index = leaves.size();
+  leaves.add(instance, tag);
+}
+
+void AggregateBuilder::add_loose(const LeafSets& sets) {
+  sets.for_each([&]<class Leaves>(const Leaves& leaves) {
+    for (std::uint32_t i = 0; i < leaves.size(); ++i)
+      aggregate_.loose_leaves_.push_back({&leaf_kind<Leaves>, &leaves, i});
+  });
+}
+
+void AggregateBuilder::build(const bvh::Device& device) {
+  Aggregate& a = aggregate_;
+  a.object_count_ = a.order(slot_count_);
+  Box3 box;
+  std::size_t count = 0;
+  for (LeafSets* sets : {&a.bounded_, &a.unbounded_}) sets->for_each([](auto& leaves) { arrange(leaves); });
+  std::as_const(a.bounded_).for_each([&](const auto& leaves) {
+    for (std::uint32_t i = 0; i < leaves.size(); ++i) box.extend(leaves.bounds(i));
+    count += leaves.size();
+  });
+  add_loose(a.unbounded_);
+  if (count == 0) return;
+  const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;
+  if (count < least_for_tree && !has_large) return add_loose(a.bounded_);
+  a.tree_ = bvh::Tree(device, box);
+  std::as_const(a.bounded_).for_each([&](const auto& leaves) { a.tree_.add<NearestQuery, ShadowQuery>(leaves); });
+  a.tree_.build();
 }
 
 } // namespace rt

@@ -2,8 +2,10 @@
 
 #include "renderer/compile/leaves.hpp"
 #include "renderer/compile/sphere_leaves.hpp"
+#include "renderer/scene/validate.hpp"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -19,7 +21,7 @@ struct LeafSetsOf<std::tuple<G...>> {
 };
 } // namespace detail
 
-/// The leaves of an assembly by kind.
+/// The leaves of an aggregate by kind.
 class LeafSets {
 public:
   template <class Leaves>
@@ -43,9 +45,9 @@ private:
   detail::LeafSetsOf<Geometries>::Type sets_;
 };
 
-/// What is placed as one: the scene itself, or a group that stands in it more than once. It holds leaves, numbered by
-/// slots in the order of declaration; an instance takes one slot here, but as many places in the scene's order as there
-/// are leaves in it.
+/// What is placed as one: the scene itself, or a group that stands in it more than once. It holds objects, numbered by
+/// slots in the order of declaration, each with any number of leaves. An instance of another aggregate takes one slot
+/// here, but as many places in the scene's order as there are objects in it.
 class Aggregate {
 public:
   Aggregate() = default;
@@ -63,26 +65,26 @@ public:
   /// The box around its leaves: empty maybe; infinite where they are.
   const Box3& box() const { return box_; }
 
-  /// How many leaves come before the one in `slot`, all instances counted out.
+  /// How many objects come before the one in `slot`, those within instances counted one by one.
   std::uint64_t order(std::uint32_t slot) const;
-  std::uint64_t leaf_count() const { return leaf_count_; }
+  std::uint64_t object_count() const { return object_count_; }
 
-  /// An instance in the assembly.
+  /// An instance in the aggregate.
   struct Step {
-    const InstanceLeaves* leaves; ///< none where all of it is empty
+    const InstanceLeaves* leaves; ///< null where all of it is empty
     std::uint32_t index;
     std::uint32_t slot;
-    std::uint64_t order; ///< of its first leaf
-    std::uint64_t leaf_count;
+    std::uint64_t order; ///< of its first object
+    std::uint64_t object_count;
   };
-  /// The instance that holds the leaf of that order, or none: then it is one of the assembly's own, in slot `slot`.
+  /// The instance that holds the object of that order, or null: then it is one of the aggregate's own, in slot `slot`.
   const Step* step_to(std::uint64_t order, std::uint32_t& slot) const;
 
-  /// The positions that lead from the assembly to the object in a slot: in its list, in that one's members, and so on.
+  /// The positions that lead from the aggregate to the object in a slot: in its list, in that one's members, and so on.
   std::vector<std::uint32_t> path(std::uint32_t slot) const;
 
 private:
-  friend class Compiler;
+  friend class AggregateBuilder;
 
   // Slots that follow each other and come from objects of one list that follow each other.
   struct Run {
@@ -90,27 +92,83 @@ private:
     std::uint32_t source;
     std::uint32_t position;
   };
-  // A group whose members stand directly in the assembly: the parent's source and the position in its list.
+  // A group whose members stand directly in the aggregate: the parent's source and the position in its list.
   struct Source {
     std::uint32_t parent;
     std::uint32_t position;
   };
 
-  // A leaf outside the tree: it has no finite box.
-  struct Unbounded {
+  // A leaf outside the tree: it has no finite box, or there are only few.
+  struct LooseLeaf {
     const LeafKind* kind;
     const void* leaves;
     std::uint32_t index;
   };
 
   LeafSets bounded_, unbounded_;
-  bvh::Tree tree_;                          // over the first
-  std::vector<Unbounded> unbounded_leaves_; // the second
+  bvh::Tree tree_; // over the first, unless they are loose as well
+  std::vector<LooseLeaf> loose_leaves_;
   Box3 box_;
-  std::uint64_t leaf_count_ = 0;
+  std::uint64_t object_count_ = 0;
   std::vector<Step> steps_; // by slot
   std::vector<Run> runs_;   // by slot
   std::vector<Source> sources_{{0, 0}};
+};
+
+/// Fills an aggregate, object by object in the order of declaration.
+class AggregateBuilder {
+public:
+  explicit AggregateBuilder(Aggregate& aggregate) : aggregate_(aggregate) {}
+
+  /// A group whose members become objects of the aggregate: the source of their list. The aggregate's own list is
+  /// source 0.
+  std::uint32_t add_source(std::uint32_t parent, std::uint32_t position);
+  /// The next object, of the list `source`: its slot. All its leaves are tagged with it, in whatever number.
+  std::uint32_t add_object(std::uint32_t source, std::uint32_t position);
+
+  /// A leaf whose geometry stands in the aggregate by `map`, which does not flatten it.
+  template <class G>
+  void add_shape(const G& own, const Affine& map, LeafTag tag) {
+    if (std::optional<G> here = placed(own, map))
+      add_leaf<ShapeLeaves<Baked<G>>>(Baked<G>{std::move(*here)}, tag);
+    else
+      add_leaf<ShapeLeaves<Transformed<G>>>(Transformed<G>{own, map, scene::inverse_of_nested(map)}, tag);
+  }
+  void add_solid(const SolidLeaves::PlacedSolid& solid, LeafTag tag);
+  void add_instance(const Aggregate& aggregate, const Affine& map, LeafTag tag);
+  /// A part of the scene's list that was compiled by itself, and begins there.
+  void add_part(const Aggregate& aggregate, std::uint32_t begin, LeafTag tag);
+
+  /// Room for that many leaves of the kind, so that the arrays of a large scene do not grow by doubling.
+  template <class Leaves>
+  void reserve(std::size_t count) {
+    aggregate_.bounded_.all<Leaves>().reserve(count);
+  }
+
+  /// Once all objects are there. Throws std::bad_alloc or std::runtime_error.
+  void build(const bvh::Device& device);
+
+private:
+  template <class Leaves, class Placed>
+  void add_leaf(Placed shape, LeafTag tag) {
+    const Box3 box = shape.box();
+    if (!box.is_empty()) sets_for(box).template all<Leaves>().add(std::move(shape), tag);
+  }
+  LeafSets& sets_for(const Box3& box);
+  void add_instance(const InstanceLeaves::Instance& instance, const Box3& box, LeafTag tag);
+  void add_loose(const LeafSets& sets);
+
+  Aggregate& aggregate_;
+  std::uint32_t slot_count_ = 0;
+};
+
+/// Objects of a scene turned into aggregates: all of them, or a part of the scene's list.
+struct CompiledObjects {
+  std::vector<std::shared_ptr<const CompiledObjects>> parts;
+  std::vector<std::unique_ptr<CsgSolid>> solids;
+  std::vector<std::unique_ptr<Aggregate>> aggregates; ///< every one after those it has instances of
+
+  const Aggregate& root() const { return *aggregates.back(); }
 };
 
 } // namespace rt

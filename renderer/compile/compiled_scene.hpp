@@ -1,12 +1,24 @@
 #pragma once
 
-#include "renderer/compile/compile.hpp"
+#include "renderer/bvh/bvh.hpp"
+#include "renderer/compile/ray_hit.hpp"
 #include "renderer/shading/lights.hpp"
+#include "renderer/shading/media.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace rt {
+namespace scene {
+struct Scene;
+}
+
+class CompileCache;
+struct CompiledObjects;
+class MaterialBindings;
+struct MaterialValues;
+struct Part;
 
 /// A ray to a light, in a packet.
 struct ShadowRay {
@@ -33,14 +45,15 @@ public:
   /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
   /// std::runtime_error when the acceleration structure cannot be built.
   CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder = bvh::default_builder);
-  /// The same with parts of the scene's list that may be in the cache from an earlier compilation.
+  /// The same pictures, but with a tree of its own for each part of the scene's list, which is only built where the
+  /// cache does not have it. `parts` are in the order of the list and do not overlap.
   CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);
 
   /// The nearest hit in `range`; with equal distances, on the object that was declared first. Without one, the result
   /// is false.
   RayHit nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
-  /// What is left of light that takes this way: 0 if something opaque is in the interval, else the product of what the
-  /// surfaces let by.
+  /// The fraction of light that passes along the ray: 0 if something opaque is in the interval, else the product of
+  /// what the surfaces let through.
   Color transmittance(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
 
   /// The same for up to `bvh::packet_size` rays that run close together: sooner, with the same results, one in `hits`
@@ -55,19 +68,18 @@ public:
 
   /// What is to be known of a hit of `ray`.
   Surface surface(const Ray& ray, const RayHit& hit) const;
-  const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const {
-    return compiled_.bindings().values(surface.material, surface.pattern_point, scratch);
-  }
+  /// The material there, patterns evaluated. `scratch` holds the values where they are not constant.
+  const MaterialValues& values(const Surface& surface, MaterialValues& scratch) const;
 
   /// All hits, from near to far; with equal distances in the order of declaration.
   std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
-  /// Whether what was hit stands in the way of light: it or what it is part of may be told not to.
+  /// Whether what was hit blocks light: an object, or what it is part of, may cast none.
   bool casts_shadow(const RayHit& hit) const;
   /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
   /// An open cylinder or cone counts by the volume that its ends would close.
   std::vector<Medium> around(const Vec3& p) const;
   /// Whether any material has an index of refraction that matters. Without one `around` is empty.
-  bool uses_ior() const { return compiled_.bindings().uses_ior(); }
+  bool uses_ior() const;
 
   /// The positions that lead to what was hit: in the scene's objects, in that one's members, and so on; in the end, for
   /// a combination, to the operand whose surface it is.
@@ -79,9 +91,12 @@ public:
   int max_depth() const { return max_depth_; }
 
 private:
-  CompiledScene(const scene::Scene& scene, Compiled compiled);
+  void add_lights(const scene::Scene& scene);
 
-  Compiled compiled_;
+  std::shared_ptr<const bvh::Device> device_;
+  std::shared_ptr<const MaterialBindings> bindings_;
+  std::shared_ptr<const CompiledObjects> objects_;
+  const Aggregate* root_; // of the objects
   std::vector<Light> lights_;
   Color background_, ambient_;
   int max_depth_;

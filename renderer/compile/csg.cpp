@@ -5,7 +5,7 @@
 namespace rt {
 namespace {
 
-// Lists are short and consist of sorted stretches. Equal distances stay in the order of declaration.
+// Lists are short and consist of sorted runs. Equal distances stay in the order of declaration.
 void sort(std::vector<Boundary>& list, std::size_t begin) {
   for (std::size_t i = begin + 1; i < list.size(); ++i) {
     const Boundary moved = list[i];

@@ -47,7 +47,6 @@ public:
   const Operand& operand(std::uint32_t i) const { return operands_[i]; }
   /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
-  std::size_t size() const { return operands_.size(); }
 
   /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
   /// part that has one, or 1. A combination within this one counts by its own material first.

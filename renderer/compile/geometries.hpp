@@ -64,4 +64,14 @@ using Geometries = detail::GeometriesOf<scene::ShapeKinds>::Type;
 /// A shape of any kind that has an inside, placed in either way.
 using SolidShape = detail::OperandsOf<Geometries>::Type;
 
+/// Calls `add` with each of the geometries that the shape is traced as. Together they are one object.
+template <class S, class Add>
+void for_each_geometry(const S& shape, Add&& add) {
+  if constexpr (std::is_same_v<S, scene::Triangle>) {
+    const auto& n = shape.normals;
+    if (n.size() == 3) return add(SmoothTriangleGeometry{geometry(shape), {n[0], n[1], n[2]}});
+  }
+  add(geometry(shape));
+}
+
 } // namespace rt

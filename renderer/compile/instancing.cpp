@@ -28,7 +28,7 @@ Instancing::Instancing(const scene::Scene& scene, const std::vector<std::span<co
   is_instanced_.resize(groups);
   is_found_.resize(groups);
   combination_copies_.resize(scene.shapes.all<scene::Combination>().size());
-  for (const auto stretch : objects) find_groups(scene, stretch);
+  for (const auto range : objects) find_groups(scene, range);
   count_leaves(scene);
   count_copies(scene, objects);
 }
@@ -76,7 +76,7 @@ void Instancing::count_copies(const scene::Scene& scene, const std::vector<std::
       if (copies) *copies = std::min(many, *copies + times);
     }
   };
-  for (const auto stretch : objects) count(stretch, 1);
+  for (const auto range : objects) count(range, 1);
   for (auto it = innermost_first_.rbegin(); it != innermost_first_.rend(); ++it) {
     const std::uint64_t copies = copies_[*it], leaves = leaves_[*it];
     is_instanced_[*it] = copies > 1 && leaves >= least_leaves && copies * leaves >= least_total;

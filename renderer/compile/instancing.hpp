@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// How often the groups and combinations of a scene are placed, and which groups are worth an assembly of their own.
-/// What stands within a combination is not counted: that is the combination's affair. `objects` are the stretches of
+/// How often the groups and combinations of a scene are placed, and which groups are worth an aggregate of their own.
+/// What stands within a combination is not counted: that is the combination's affair. `objects` are the ranges of
 /// the scene's list that it is about.
 class Instancing {
 public:
@@ -17,7 +17,7 @@ public:
 
   bool is_instanced(std::uint32_t group) const { return is_instanced_[group]; }
   bool is_shared(const scene::ShapeRef& combination) const { return combination_copies_[combination.index] > 1; }
-  /// The groups that become assemblies, each after those it has instances of.
+  /// The groups that become aggregates, each after those it has instances of.
   std::vector<std::uint32_t> instanced() const;
 
 private:
@@ -28,7 +28,7 @@ private:
   std::vector<bool> is_found_;
   std::vector<std::uint32_t> innermost_first_;
   std::vector<std::uint64_t> leaves_; // by group: of all levels
-  std::vector<std::uint64_t> copies_; // by group: how often its members would stand in the assemblies
+  std::vector<std::uint64_t> copies_; // by group: how often its members would stand in the aggregates
   std::vector<std::uint64_t> combination_copies_;
   std::vector<bool> is_instanced_;
 };

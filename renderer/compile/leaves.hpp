@@ -12,30 +12,31 @@ namespace rt {
 
 /// What every leaf carries beside its geometry.
 struct LeafTag {
-  std::uint32_t slot; ///< its place in its assembly, in the order of declaration
+  std::uint32_t slot; ///< its object's place in the aggregate, in the order of declaration; leaves may share one
   std::uint32_t binding : 31;
   std::uint32_t casts_shadow : 1;
 
-  LeafTag(std::uint32_t place, BindingId s, bool shadow)
-      : slot(place), binding(static_cast<std::uint32_t>(s) & 0x7fffffff), casts_shadow(shadow) {}
-  BindingId style_id() const { return BindingId{binding}; }
+  LeafTag(std::uint32_t object, BindingId b, bool shadow)
+      : slot(object), binding(static_cast<std::uint32_t>(b) & 0x7fffffff), casts_shadow(shadow) {}
+  BindingId binding_id() const { return BindingId{binding}; }
 };
 
 class SolidLeaves;
 
-/// The surface at a hit, in the space of the leaf's assembly. It is made where it is to stay: a copy would wait for
-/// every one of its parts to be written.
+/// The surface at a hit, on its way from the leaf's aggregate out to the scene. It is made where it is to stay: a copy
+/// would wait for every one of its parts to be written.
 struct LeafSurface {
   SurfacePoint point;
-  BindingId binding = inherited_binding;          ///< of the surface
-  BindingId leaf_style = inherited_binding;       ///< of the leaf as a whole: where it decides about the medium
-  Vec3 pattern_point{};                           ///< unless the style is inherited
-  const SolidLeaves* solids = nullptr;            ///< those of a combination, whose medium may be another's
-  const SmoothTriangleGeometry* smooth = nullptr; ///< whose normals shade it
+  BindingId binding = inherited_binding;                 ///< of the surface
+  BindingId leaf_binding = inherited_binding;            ///< of the leaf as a whole: it decides about the medium
+  Vec3 pattern_point{};                                  ///< unless the binding is inherited
+  const SolidLeaves* solids = nullptr;                   ///< of a combination, whose medium may be another's
+  std::optional<InterpolatedNormal> shading_normal = {}; ///< none: the point's
+  std::optional<double> ior = {};                        ///< as soon as it is known
 };
 
-/// What can be asked of a leaf whose kind was forgotten on the way: one object for each type of set. A leaf may hold
-/// several shapes; then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
+/// What can be asked of a leaf whose type was erased: one table for each type of set. A leaf may hold several shapes;
+/// then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
 struct LeafKind {
   LeafTag (*tag)(const void* leaves, std::uint32_t index);
   LeafSurface (*surface)(const void* leaves, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit);
@@ -80,20 +81,21 @@ public:
     if (!tag.casts_shadow) return false;
     const Placed& p = shapes_[i];
     Hit hit;
-    if (query.bindings.is_opaque(query.resolved(tag.style_id())))
+    if (query.bindings.is_opaque(query.resolved(tag.binding_id())))
       return intersect(p.shape, p.carried(query.ray), query.interval, hit);
     std::uint32_t sequence = 0;
     for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
-      query.add_attenuation(hit.t, tag.slot, sequence++, query.transmittance(tag.style_id(), hit.t));
+      query.add_attenuation(hit.t, tag.slot, sequence++, query.transmittance(tag.binding_id(), hit.t));
     return false;
   }
 
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const {
     const Placed& p = shapes_[hit.index];
-    const BindingId binding = tags_[hit.index].style_id();
+    const BindingId binding = tags_[hit.index].binding_id();
     LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), binding, binding};
     if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
-    if constexpr (std::is_same_v<typename Placed::G, SmoothTriangleGeometry>) s.smooth = &p.shape;
+    if constexpr (requires { interpolated_normal(p.shape, s.point.position); })
+      s.shading_normal = interpolated_normal(p.shape, s.point.position);
     return s;
   }
 
@@ -107,59 +109,59 @@ private:
 /// A combination where it stands. The solid may be shared.
 class SolidLeaves {
 public:
-  struct Leaf {
+  struct PlacedSolid {
     const CsgSolid* solid;
-    bool is_in_place; ///< the solid was made in the assembly's space, and the maps have no meaning
-    bool owns_style;  ///< it writes a material itself
+    bool is_in_place;   ///< the solid was made in the aggregate's space, and the maps have no meaning
+    bool owns_material; ///< it writes one itself
     Affine to_outer, to_local;
     Box3 box;
   };
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(leaves_.size()); }
-  Box3 bounds(std::uint32_t i) const { return leaves_[i].box; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(solids_.size()); }
+  Box3 bounds(std::uint32_t i) const { return solids_[i].box; }
   LeafTag tag(std::uint32_t i) const { return tags_[i]; }
-  const Leaf& leaf(std::uint32_t i) const { return leaves_[i]; }
-  void add(const Leaf& leaf, LeafTag tag) { leaves_.push_back(leaf), tags_.push_back(tag); }
+  const PlacedSolid& placed(std::uint32_t i) const { return solids_[i]; }
+  void add(const PlacedSolid& solid, LeafTag tag) { solids_.push_back(solid), tags_.push_back(tag); }
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const;
 
   /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
-  /// one. `inherited` is the style that its parts inherit: its own if it has one.
+  /// one. `inherited` is the binding that its parts inherit: its own if it has one.
   double ior(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
   bool inspect(std::uint32_t i, InspectQuery& query) const;
 
-  std::vector<Leaf> leaves_;
+  std::vector<PlacedSolid> solids_;
   std::vector<LeafTag> tags_;
 };
 
-/// A group that stands in several places is an assembly of its own, and each of its places a leaf. So is a part of the
+/// A group that stands in several places is an aggregate of its own, and each of its places a leaf. So is a part of the
 /// scene that was compiled by itself.
 class InstanceLeaves {
 public:
-  struct Leaf {
+  struct Instance {
     const Aggregate* aggregate;
     Affine to_outer, to_local;
-    std::uint64_t order; ///< how many leaves of its own assembly come before it
-    /// Of a part: where it begins in the scene's list. It stands where it is, so rays and points stay what they are.
+    std::uint64_t order; ///< how many objects come before it in the aggregate that it stands in
+    /// Of a part: where it begins in the scene's list. It was compiled in place, so rays and points need no map.
     std::optional<std::uint32_t> part_begin = {};
   };
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(leaves_.size()); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(instances_.size()); }
   Box3 bounds(std::uint32_t i) const;
   LeafTag tag(std::uint32_t i) const { return tags_[i]; }
-  const Leaf& leaf(std::uint32_t i) const { return leaves_[i]; }
-  void add(const Leaf& leaf, LeafTag tag) { leaves_.push_back(leaf), tags_.push_back(tag); }
+  const Instance& instance(std::uint32_t i) const { return instances_[i]; }
+  void add(const Instance& instance, LeafTag tag) { instances_.push_back(instance), tags_.push_back(tag); }
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never the leaf that is hit
+  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never: hits are on what is in it
 
 private:
-  std::vector<Leaf> leaves_;
+  std::vector<Instance> instances_;
   std::vector<LeafTag> tags_;
 };
 
@@ -172,7 +174,7 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
       query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
   }
   if constexpr (Solidlike<typename Placed::G>) {
-    const BindingId binding = query.resolved(tags_[i].style_id());
+    const BindingId binding = query.resolved(tags_[i].binding_id());
     if (query.around && !query.bindings.is_opaque(binding) && contains(p.shape, p.carried(query.ray.origin)))
       query.add_around(tags_[i].slot, query.bindings.ior(binding));
   }

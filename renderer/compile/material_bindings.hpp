@@ -10,10 +10,10 @@ namespace rt {
 /// A material as one object writes it: with the place of its patterns. Index in `MaterialBindings`.
 enum class BindingId : std::uint32_t {};
 
-/// The style of the composite that the object stands in.
+/// That of the composite that the object stands in.
 inline constexpr BindingId inherited_binding{0x7fffffff};
 
-/// All styles of a compiled scene, over its materials.
+/// All bindings of a compiled scene, over its materials.
 class MaterialBindings {
 public:
   explicit MaterialBindings(const scene::Scene& scene);
@@ -21,7 +21,7 @@ public:
   /// Adds the materials that the scene has got since. What was given out stays as it is.
   void extend(const scene::Scene& scene);
 
-  /// How many places of patterns there are; `release` forgets those that came later, with their styles.
+  /// How many places of patterns there are; `release` forgets those that came later, with their bindings.
   struct Mark {
     std::size_t bindings, places;
   };
@@ -30,29 +30,29 @@ public:
 
   static BindingId default_binding() { return BindingId{0}; }
 
-  /// The style of an object that stands by `to_outer` in the space that the style is asked about in, and would inherit
-  /// `inherited` if it wrote no material.
+  /// The binding of an object that is placed by `to_outer` in the space where the binding is looked up, and inherits
+  /// `inherited` if it writes no material.
   BindingId of(const scene::Object& object, const Affine& to_outer, BindingId inherited);
 
   bool is_opaque(BindingId binding) const { return at(binding).is_opaque; }
-  /// Whether the index of refraction of the style's material matters at all, and whether any style's does.
+  /// Whether the index of refraction of the binding's material matters at all, and whether any binding's does.
   bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }
   bool uses_ior() const { return uses_ior_; }
   std::uint32_t material(BindingId binding) const { return at(binding).material; }
   /// 1 where it does not matter.
   double ior(BindingId binding) const { return uses_ior(binding) ? materials_.constant(at(binding).material).ior : 1; }
 
-  /// Where the patterns see the point `p` of the space that the style is asked about in.
+  /// Where the patterns see the point `p` of the space where the binding is looked up.
   Vec3 pattern_point(BindingId binding, const Vec3& p) const {
-    const MaterialBinding& s = at(binding);
-    return s.place == nowhere ? p : places_[s.place].point(p);
+    const MaterialBinding& b = at(binding);
+    return b.place == nowhere ? p : places_[b.place].point(p);
   }
   /// The values at a point of that kind. `scratch` holds them where they are not constant.
   const MaterialValues& values(std::uint32_t material, const Vec3& pattern_point, MaterialValues& scratch) const {
     if (!materials_.has_patterns(material)) return materials_.constant(material);
     return scratch = materials_.at(material, pattern_point);
   }
-  /// What a surface lets by of the light that crosses it.
+  /// The fraction that a surface lets through of the light that crosses it.
   Color transmittance(BindingId binding, const Vec3& p) const {
     MaterialValues scratch;
     const MaterialValues& v = values(at(binding).material, pattern_point(binding, p), scratch);

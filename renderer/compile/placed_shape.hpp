@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-/// The two ways in which a shape stands in a space: as a geometry of that space, or in its own space with a map.
+/// The two ways to place a shape in a space: as a geometry of that space, or in its own space with a map.
 namespace rt {
 
 /// A geometry that has an inside.

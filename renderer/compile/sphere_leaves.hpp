@@ -45,16 +45,16 @@ public:
       chords[lane].roots(near, far);
       const bool has_near = query.interval.contains(near), has_far = far > near && query.interval.contains(far);
       if (!has_near && !has_far) continue;
-      if (query.bindings.is_opaque(query.resolved(tag.style_id()))) return true;
-      if (has_near) query.add_attenuation(near, tag.slot, 0, query.transmittance(tag.style_id(), near));
-      if (has_far) query.add_attenuation(far, tag.slot, has_near, query.transmittance(tag.style_id(), far));
+      if (query.bindings.is_opaque(query.resolved(tag.binding_id()))) return true;
+      if (has_near) query.add_attenuation(near, tag.slot, 0, query.transmittance(tag.binding_id(), near));
+      if (has_far) query.add_attenuation(far, tag.slot, has_near, query.transmittance(tag.binding_id(), far));
     }
     return false;
   }
 
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const {
     const SphereGeometry sphere = packs_[hit.index / SpherePack::size].sphere(hit.index % SpherePack::size);
-    const BindingId binding = tags_[hit.index].style_id();
+    const BindingId binding = tags_[hit.index].binding_id();
     LeafSurface s{surface_point(sphere, ray, {hit.t, hit.shape_part}), binding, binding};
     if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
     return s;

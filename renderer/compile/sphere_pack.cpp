@@ -1,15 +1,13 @@
 #include "renderer/compile/sphere_pack.hpp"
 
-#include <immintrin.h>
-
 #include <cstring>
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
 namespace rt {
 namespace {
-
-using Two = double __attribute__((vector_size(16)));
-using Four = double __attribute__((vector_size(32)));
-using Eight = double __attribute__((vector_size(64)));
 
 // By reference and not as results: that would depend on what the compiler may assume of the processor.
 template <class Lanes>
@@ -43,6 +41,25 @@ template <class Lanes>
   store(&half_squared_[first], half_squared);
   store(&product_[first], power * inverse);
 }
+
+void SpherePackChords::find_one_by_one(SpherePackChords& chords, const SpherePack& pack, const Ray& ray,
+                                       double inverse) {
+  chords.meets_ = 0;
+  for (std::uint32_t i = 0; i < SpherePack::size; ++i) {
+    double half_squared, power, along;
+    chords.find_lanes(pack, i, ray, inverse, half_squared, power, along);
+    if (half_squared >= 0 && !(power > 0 && along <= 0)) chords.meets_ |= 1u << i;
+  }
+}
+
+#ifdef __x86_64__
+namespace {
+
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+using Eight = double __attribute__((vector_size(64)));
+
+} // namespace
 
 // As many at a time as there are lanes.
 template <class Lanes>
@@ -79,16 +96,22 @@ SpherePackChords::find_by_eight(SpherePackChords& chords, const SpherePack& pack
   chords.meets_ = _mm512_cmp_pd_mask(half_squared, zero, _CMP_GE_OQ) & ~unsigned{leaves};
 }
 
-bool SpherePackChords::has_four() {
-  return __builtin_cpu_supports("avx2") != 0;
+std::span<SpherePackChords::Find* const> SpherePackChords::ways() {
+  static constexpr std::array<Find*, 4> all{find_one_by_one, find_by_two, find_by_four, find_by_eight};
+  const bool has_four = __builtin_cpu_supports("avx2") != 0;
+  const bool has_eight = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+  return std::span(all).first(has_eight ? 4 : has_four ? 3 : 2);
 }
 
-bool SpherePackChords::has_eight() {
-  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+#else
+
+std::span<SpherePackChords::Find* const> SpherePackChords::ways() {
+  static constexpr std::array<Find*, 1> all{find_one_by_one};
+  return all;
 }
 
-SpherePackChords::Find* const SpherePackChords::best_find = has_eight()  ? find_by_eight
-                                                            : has_four() ? find_by_four
-                                                                         : find_by_two;
+#endif
+
+SpherePackChords::Find* const SpherePackChords::best_find = ways().back();
 
 } // namespace rt

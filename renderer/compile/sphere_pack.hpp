@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace rt {
 
@@ -20,11 +21,11 @@ struct alignas(64) SpherePack {
 /// by operation, and so are the chords, bit by bit, whatever the processor's registers hold.
 class SpherePackChords {
 public:
-  /// Ways to find them: with two numbers in a register, which every x86-64 has, with four (AVX2) or with eight
-  /// (AVX-512).
+  /// A way to find them: one by one on any machine; on x86-64 with two numbers in a register, with four where the
+  /// processor has AVX2, with eight where it has AVX-512.
   using Find = void(SpherePackChords&, const SpherePack&, const Ray&, double);
-  static Find find_by_two, find_by_four, find_by_eight;
-  static bool has_four(), has_eight(); ///< whether this processor has the second, the third
+  /// All that this processor has, the fastest last.
+  static std::span<Find* const> ways();
 
   /// `inverse` is 1 / |direction|².
   SpherePackChords(const SpherePack& pack, const Ray& ray, double inverse, Find* find = best_find) {
@@ -36,6 +37,7 @@ public:
   SphereChord operator[](std::uint32_t i) const { return {middle_[i], half_squared_[i], product_[i]}; }
 
 private:
+  static Find find_one_by_one, find_by_two, find_by_four, find_by_eight;
   template <class Lanes>
   void find_all(const SpherePack& pack, const Ray& ray, double inverse);
   template <class Lanes>

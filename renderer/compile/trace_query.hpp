@@ -2,6 +2,7 @@
 
 #include "renderer/bvh/bvh.hpp"
 #include "renderer/compile/material_bindings.hpp"
+#include "renderer/compile/ray_hit.hpp"
 #include "renderer/shading/media.hpp"
 #include "renderer/shapes/hit.hpp"
 
@@ -11,69 +12,28 @@
 /// What travels through the trees of a compiled scene.
 namespace rt {
 
-class Aggregate;
-struct LeafKind;
-
-/// A leaf that a ray met, and where: enough to work out the rest for the one that counts.
-struct RayHit {
-  double t = std::numeric_limits<double>::max();
-  std::uint32_t shape_part = 0;   ///< `Hit::part`
-  std::uint32_t index = 0;        ///< of the leaf, in its set
-  std::uint32_t operand = 0;      ///< of a combination
-  bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
-  const LeafKind* kind = nullptr; ///< none: no hit
-  const void* leaves = nullptr;   ///< the set
-  const Aggregate* aggregate = nullptr;
-  std::uint64_t base = 0; ///< the order of the assembly's first leaf, where this instance of it stands
-
-  explicit operator bool() const { return kind != nullptr; }
-};
-
-/// Where a line meets the boundary of a combination.
-struct Boundary {
-  double t = 0;
-  std::uint32_t shape_part = 0;
-  std::uint32_t operand = 0;
-  bool is_flipped = false; ///< of what is subtracted
-  bool is_entry = false;   ///< the line enters there
-};
-
-/// A transparent surface on a shadow ray's way.
-struct ShadowAttenuation {
-  double t;
-  std::uint64_t order; ///< of the object; then of the surface within it
-  std::uint32_t sequence;
-  Color transmittance;
-};
-
-/// Storage that tracing needs while it runs, kept from ray to ray. Each thread has its own.
-struct TraceScratch {
-  std::vector<Boundary> boundaries; ///< used as a stack
-  std::vector<std::uint32_t> operands;
-  std::vector<ShadowAttenuation> attenuations;
-};
-
 /// Looks for the nearest hit.
 struct NearestQuery : bvh::Query {
   NearestQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, RayHit& h, TraceScratch& s)
       : Query(r, i), aggregate(a), base(b), best(h), scratch(s) {}
 
-  /// Takes the hit unless there is an equally near one on a leaf that was declared before. False: it was not taken.
+  /// Accepts the hit unless there is an equally near one on an object that was declared before, or on a leaf of the
+  /// same object that comes before. False: it was not accepted.
   bool offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind, const void* leaves);
 
   const Aggregate& aggregate; ///< whose tree it is in
-  std::uint64_t base;         ///< the order of the assembly's first leaf, where it stands
+  std::uint64_t base;         ///< the order of the aggregate's first object, in this instance of it
   RayHit& best;               ///< of the whole scene so far
   TraceScratch& scratch;
 };
 
-/// The material that leaves without one of their own have, and the ray in the space where it was written.
+/// The material that leaves without one of their own inherit, and the ray in the space where it was written.
 struct InheritedBinding {
   BindingId binding;
   const Ray* ray;
 };
 
-/// Looks for what is in the way of light: opaque leaves end it, transparent ones leave a filter.
+/// Looks for what blocks light: opaque leaves end it, transparent ones leave an attenuation.
 struct ShadowQuery : bvh::Query {
   ShadowQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, const MaterialBindings& all,
               const InheritedBinding& from_outside, TraceScratch& s)

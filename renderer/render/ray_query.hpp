@@ -2,6 +2,7 @@
 
 #include "renderer/integrators/integrator.hpp"
 #include "renderer/render/camera_rays.hpp"
+#include "renderer/shading/materials.hpp"
 
 #include <optional>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "renderer/math/static_vector.hpp"
 #include "renderer/render/camera_rays.hpp"
 #include "renderer/scene/validate.hpp"
+#include "renderer/shading/materials.hpp"
 
 #include <algorithm>
 #include <array>

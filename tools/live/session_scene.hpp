@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/session/session.hpp"
+#include "renderer/compile/compile.hpp"
 #include "renderer/compile/compiled_scene.hpp"
 #include "tools/live/document.hpp"
 

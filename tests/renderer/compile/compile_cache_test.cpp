@@ -1,3 +1,4 @@
+#include "renderer/compile/compile.hpp"
 #include "renderer/render/render.hpp"
 #include "tests/support/asked.hpp"
 #include "tests/support/scenes.hpp"

@@ -1,3 +1,4 @@
+#include "renderer/compile/compile.hpp"
 #include "renderer/compile/compiled_scene.hpp"
 #include "renderer/render/ray_query.hpp"
 #include "renderer/render/render.hpp"

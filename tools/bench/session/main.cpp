@@ -2,6 +2,7 @@
 //   bench_session [SCENE]   SCENE: what the preview is of, examples/still_life.rtl unless given
 
 #include "lang/session/session.hpp"
+#include "renderer/compile/compile.hpp"
 #include "renderer/compile/compiled_scene.hpp"
 #include "renderer/render/render.hpp"
 #include "tools/terminal/picture.hpp"

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace rt {
+
+class Aggregate;
+struct LeafKind;
+
+/// A leaf that a ray hit, and where: enough to work out the rest for the one that counts.
+struct RayHit {
+  double t = std::numeric_limits<double>::max();
+  std::uint32_t shape_part = 0;   ///< `Hit::part`
+  std::uint32_t index = 0;        ///< of the leaf, in its set
+  std::uint32_t operand = 0;      ///< of a combination
+  bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
+  const LeafKind* kind = nullptr; ///< null: no hit
+  const void* leaves = nullptr;   ///< the set
+  const Aggregate* aggregate = nullptr;
+  std::uint64_t base = 0; ///< the order of the aggregate's first object, in this instance of it
+
+  explicit operator bool() const { return kind != nullptr; }
+};
+
+/// Where a line crosses the boundary of a combination.
+struct Boundary {
+  double t = 0;
+  std::uint32_t shape_part = 0;
+  std::uint32_t operand = 0;
+  bool is_flipped = false; ///< of what is subtracted
+  bool is_entry = false;   ///< the line enters there
+};
+
+/// A transparent surface in a shadow ray's way.
+struct ShadowAttenuation {
+  double t;
+  std::uint64_t order; ///< of the object; then of the surface within it
+  std::uint32_t sequence;
+  Color transmittance;
+};
+
+/// Storage that tracing needs while it runs, kept from ray to ray. Each thread has its own.
+struct TraceScratch {
+  std::vector<Boundary> boundaries; ///< used as a stack
+  std::vector<std::uint32_t> operands;
+  std::vector<ShadowAttenuation> attenuations;
+};
+
+} // namespace rt

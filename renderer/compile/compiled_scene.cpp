@@ -165,7 +165,7 @@ Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
 }
 
 const MaterialValues& CompiledScene::values(const Surface& surface, MaterialValues& scratch) const {
-  return bindings_->values(surface.material, surface.pattern_point, scratch);
+  return bindings_->values(surface.material_id, surface.pattern_point, scratch);
 }
 
 bool CompiledScene::uses_ior() const {

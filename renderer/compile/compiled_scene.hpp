@@ -27,16 +27,16 @@ struct ShadowRay {
   Color* transmittance; ///< where the result goes
 };
 
-/// The surface at a hit, in the scene's space.
+/// A point of a surface that a ray met, in the scene's space.
 struct Surface {
   Vec3 point;
-  Vec3 geometric_normal;   ///< unit, out of the solid
-  Vec3 shading_normal;     ///< unit; the same but on a triangle with normals of its own
+  Vec3 geometric_normal;   ///< unit, out of the solid (right-handed about the corners of what is flat)
+  Vec3 shading_normal;     ///< unit, on the same side; another only on a triangle with normals of its own
   double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
   std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
-  std::uint32_t material = 0;
+  std::uint32_t material_id = 0;
   Vec3 pattern_point; ///< the point as the material's patterns see it
-  double ior = 1;     ///< of the solid that the surface belongs to
+  double ior = 1;     ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
 };
 
 /// A scene made ready for tracing: immutable, shared by all threads.

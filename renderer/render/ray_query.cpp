@@ -34,18 +34,15 @@ Ray RayQuery::unit(const Ray& ray) {
 }
 
 HitReport RayQuery::report(const Ray& ray, const RayHit& hit) const {
-  const Surface s = scene_.surface(ray, hit);
+  HitReport report;
+  static_cast<Surface&>(report) = scene_.surface(ray, hit);
+  report.t = hit.t;
+  report.distance = hit.t * length(ray.direction);
+  report.enters = dot(report.geometric_normal, ray.direction) < 0;
+  report.path = scene_.path(hit);
   MaterialValues scratch;
-  return {hit.t,
-          hit.t * length(ray.direction),
-          s.point,
-          s.geometric_normal,
-          s.shading_normal,
-          dot(s.geometric_normal, ray.direction) < 0,
-          s.order,
-          scene_.path(hit),
-          scene_.values(s, scratch),
-          s.ior};
+  report.material = scene_.values(report, scratch);
+  return report;
 }
 
 } // namespace rt

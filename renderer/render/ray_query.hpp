@@ -9,19 +9,14 @@
 
 namespace rt {
 
-/// Everything about one place where a ray meets the scene, in the scene's space.
-struct HitReport {
-  double t = 0;        ///< in lengths of the ray's direction
-  double distance = 0; ///< Euclidean, from the ray's origin
-  Vec3 point;
-  Vec3 geometric_normal;   ///< unit, out of the solid (right-handed about the corners of what is flat)
-  Vec3 shading_normal;     ///< unit, on the same side; what light falls on, before it is turned to the viewer
-  bool enters = false;     ///< the ray goes against the geometric normal: into a solid
-  std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one
+/// Everything about one place where a ray meets the scene.
+struct HitReport : Surface {
+  double t = 0;                    ///< in lengths of the ray's direction
+  double distance = 0;             ///< Euclidean, from the ray's origin
+  bool enters = false;             ///< the ray goes against the geometric normal: into a solid
   std::vector<std::uint32_t> path; ///< positions in the scene's objects, in that group's members and so on; within a
                                    ///< combination, down to the operand whose surface it is
   MaterialValues material;         ///< with patterns evaluated
-  double ior = 1; ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
 };
 
 /// A scene that was compiled once, for questions about single rays. It can be asked from several threads at a time.

@@ -123,10 +123,10 @@ private:
       PathState& path = *paths[i];
       if (hits[i]) {
         MaterialValues& values = values_[interactions.size()];
-        Interaction& m = interactions.add([&] {
+        Interaction& at = interactions.add([&] {
           return Interaction{&path, hits[i].t, scene_.surface(path.ray, hits[i])};
         });
-        model_.arrive(m, hits[i], scene_.values(m.surface, values));
+        model_.arrive(at, hits[i], scene_.values(at.surface, values));
       } else {
         model_.escape(path);
       }
@@ -138,25 +138,25 @@ private:
   static bool stays_together(const StaticVector<Interaction, Size>& interactions) {
     if (interactions.size() < least_batch) return false;
     double least = interactions[0].t, most = least;
-    for (const Interaction& m : interactions) least = std::min(least, m.t), most = std::max(most, m.t);
+    for (const Interaction& at : interactions) least = std::min(least, at.t), most = std::max(most, at.t);
     return most - least < least * 0.05;
   }
 
   // The surfaces' own light, and what the lights give.
   template <std::size_t Size>
   void shade(StaticVector<Interaction, Size>& interactions, bool is_together) {
-    for (Interaction& m : interactions) model_.add_own_light(m);
+    for (Interaction& at : interactions) model_.add_own_light(at);
     for (std::uint32_t index = 0; index < scene_.lights().size(); ++index) {
       const Light& light = scene_.lights()[index];
       StaticVector<DirectLight, Size> direct;
-      for (const Interaction& m : interactions) {
-        DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, m.surface.point)}; });
-        d.cos_light = dot(m.normal, d.sample.to_light);
+      for (const Interaction& at : interactions) {
+        DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, at.surface.point)}; });
+        d.cos_light = dot(at.normal, d.sample.to_light);
       }
       if (light.shadows) cast_shadows(interactions, direct, is_together);
       for (std::size_t i = 0; i < interactions.size(); ++i) model_.add_direct_light(interactions[i], direct[i], index);
     }
-    for (const Interaction& m : interactions) m.path->sum += m.path->passed * m.light;
+    for (const Interaction& at : interactions) at.path->sum += at.path->passed * at.light;
   }
 
   template <std::size_t Size>
@@ -184,8 +184,8 @@ private:
   std::size_t continue_batch(const StaticVector<Interaction, Size>& interactions, bool is_together, int depth,
                              std::array<PathState*, Size>& going) {
     StaticVector<Scattering, Size> scatterings;
-    for (const Interaction& m : interactions)
-      if (Model::is_scattering(m)) scatterings.add([&] { return model_.scatter(m); });
+    for (const Interaction& at : interactions)
+      if (Model::is_scattering(at)) scatterings.add([&] { return model_.scatter(at); });
     if (scatterings.size() == 0) return 0;
 
     RayBatch<Size> mirrored;

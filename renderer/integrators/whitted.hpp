@@ -30,74 +30,74 @@ public:
     path.sum += path.passed * scene_.background();
   }
 
-  /// The path has hit `m.surface`, where the material has these values.
-  void arrive(Interaction& m, const RayHit& hit, const MaterialValues& values) {
-    m.bsdf = Bsdf(values);
-    const double approach = dot(m.surface.shading_normal, m.path->ray.direction);
-    m.normal = approach > 0 ? -m.surface.shading_normal : m.surface.shading_normal;
-    m.cosine = std::abs(approach);
-    recorder_.surface(hit, m.surface, values, m.normal);
+  /// The path has hit `at.surface`, where the material has these values.
+  void arrive(Interaction& at, const RayHit& hit, const MaterialValues& values) {
+    at.bsdf = Bsdf(values);
+    const double approach = dot(at.surface.shading_normal, at.path->ray.direction);
+    at.normal = approach > 0 ? -at.surface.shading_normal : at.surface.shading_normal;
+    at.cosine = std::abs(approach);
+    recorder_.surface(hit, at.surface, values, at.normal);
   }
 
-  void add_own_light(Interaction& m) {
-    const MaterialValues& v = m.bsdf.values();
-    const Color ambient = m.bsdf.body() * v.ambient * scene_.ambient(), emission = m.bsdf.body() * v.emission;
+  void add_own_light(Interaction& at) {
+    const MaterialValues& v = at.bsdf.values();
+    const Color ambient = at.bsdf.body() * v.ambient * scene_.ambient(), emission = at.bsdf.body() * v.emission;
     recorder_.own_light(ambient, emission);
-    m.light = ambient + emission;
+    at.light = ambient + emission;
   }
 
   /// Adds what the light gives, once shadows are known.
-  void add_direct_light(Interaction& m, const DirectLight& direct, std::uint32_t index) {
+  void add_direct_light(Interaction& at, const DirectLight& direct, std::uint32_t index) {
     LightRecord record;
     record.light = index;
     record.sample = direct.sample;
     record.cos_light = direct.cos_light;
     record.filter = direct.transmittance;
     if (direct.is_facing() && direct.transmittance != black)
-      record.reflected = m.bsdf.evaluate(direct.sample.color * direct.transmittance, m.path->ray.direction, m.normal,
-                                         direct.sample.to_light, direct.cos_light, scene_.lights()[index].shadows);
-    recorder_.light(record, m.surface);
-    m.light += record.reflected.sum();
+      record.reflected = at.bsdf.evaluate(direct.sample.color * direct.transmittance, at.path->ray.direction, at.normal,
+                                          direct.sample.to_light, direct.cos_light, scene_.lights()[index].shadows);
+    recorder_.light(record, at.surface);
+    at.light += record.reflected.sum();
   }
 
-  static bool is_scattering(const Interaction& m) { return m.bsdf.is_mirror() || m.bsdf.is_transparent(); }
+  static bool is_scattering(const Interaction& at) { return at.bsdf.is_mirror() || at.bsdf.is_transparent(); }
 
   /// Of a scattering one.
-  Scattering scatter(const Interaction& m) {
-    const MaterialValues& v = m.bsdf.values();
-    const MediumStacks& media = *m.path->media;
-    const MediumStacks::List inside = m.path->inside;
-    Scattering s{&m, {m.surface.order, m.surface.ior}};
+  Scattering scatter(const Interaction& at) {
+    const MaterialValues& v = at.bsdf.values();
+    const MediumStacks& media = *at.path->media;
+    const MediumStacks::List inside = at.path->inside;
+    Scattering s{&at, {at.surface.order, at.surface.ior}};
     double fresnel_eta = 1;
-    if (m.bsdf.is_transparent()) {
+    if (at.bsdf.is_transparent()) {
       s.transition = media.transition(inside, s.medium);
       s.eta = Rules::eta(s.transition, touches_void(s.transition, inside));
     }
-    if (m.bsdf.is_mirror() && v.fresnel) fresnel_eta = media.fresnel_eta(inside, s.medium);
-    s.terms = m.bsdf.specular(m.cosine, s.eta, fresnel_eta);
-    if (m.bsdf.is_mirror() && !s.terms.is_total)
-      recorder_.reflection(s.terms.rho, s.terms.reflectance, m.cosine, fresnel_eta);
+    if (at.bsdf.is_mirror() && v.fresnel) fresnel_eta = media.fresnel_eta(inside, s.medium);
+    s.terms = at.bsdf.specular(at.cosine, s.eta, fresnel_eta);
+    if (at.bsdf.is_mirror() && !s.terms.is_total)
+      recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
     return s;
   }
 
   /// The mirrored ray, where ρ is not black.
   Ray mirror(const Scattering& s) {
-    const Interaction& m = *s.at;
-    if (s.terms.is_total) recorder_.total_reflection(s.transition, m.cosine);
-    return Rules::leave(m.surface, reflect(m.path->ray.direction, m.normal));
+    const Interaction& at = *s.at;
+    if (s.terms.is_total) recorder_.total_reflection(s.transition, at.cosine);
+    return Rules::leave(at.surface, reflect(at.path->ray.direction, at.normal));
   }
 
   /// Whether light comes through: if so, the ray that fetches it is the next to be followed.
   bool transmits(const Scattering& s) {
-    const Interaction& m = *s.at;
-    if (!m.bsdf.is_transparent() || s.terms.is_total) return false;
-    recorder_.refraction(s.terms.tau, s.transition, m.cosine, s.terms.is_bent ? s.terms.cos_behind : m.cosine);
+    const Interaction& at = *s.at;
+    if (!at.bsdf.is_transparent() || s.terms.is_total) return false;
+    recorder_.refraction(s.terms.tau, s.transition, at.cosine, s.terms.is_bent ? s.terms.cos_behind : at.cosine);
     return s.terms.tau != black;
   }
 
   static Ray refracted(const Scattering& s) {
-    const Interaction& m = *s.at;
-    return Rules::leave(m.surface, refract(m.path->ray.direction, m.normal, s.eta, m.cosine, s.terms.cos_behind));
+    const Interaction& at = *s.at;
+    return Rules::leave(at.surface, refract(at.path->ray.direction, at.normal, s.eta, at.cosine, s.terms.cos_behind));
   }
 
   /// The path goes on unbent, inside of `behind`. It is no deeper than before, but there must be one step to spare: so

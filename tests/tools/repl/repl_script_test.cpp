@@ -1,6 +1,4 @@
 #include "tests/support/program.hpp"
-#include "tools/repl/commands.hpp"
-#include "tools/terminal/wrap.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -109,13 +107,6 @@ TEST_CASE("session as a script: what is included is found by the program's quest
   CHECK(outcome.output.find("\n2\n") != std::string::npos);
 }
 
-TEST_CASE("wrapping: what is too long goes on below the second column") {
-  using rt::tools::wrapped;
-  CHECK(wrapped("  radius  how far it is\nshort\n", 16) == "  radius  how\n          far it\n          is\nshort\n");
-  CHECK(wrapped("one two three four\n", 10) == "one two\n  three\n  four\n");
-  CHECK(wrapped("unbreakable_word\n", 6) == "unbreakable_word\n");
-}
-
 TEST_CASE("session as a script: pictures are characters") {
   const TestFolder folder;
   const Outcome outcome = session(folder, "sphere {}\n:show\n");
@@ -131,15 +122,6 @@ TEST_CASE("session as a script: what cannot be read or written is told") {
   CHECK(session(folder, ":save\n").errors.find("under which name?") != std::string::npos);
   CHECK(session(folder, ":render picture.bmp\n").errors.find(".png") != std::string::npos);
   CHECK(session(folder, "", {"nothing.rtl"}).exit_code == 1);
-}
-
-TEST_CASE("commands: unambiguous beginnings suffice") {
-  using rt::tools::choose_command;
-  const auto commands = rt::tools::shell_commands();
-  CHECK(choose_command("hist", commands).command->name == "history");
-  CHECK(choose_command("q", commands).command->name == "quit");
-  CHECK(choose_command("re", commands).problem == "`:re` could be :render, :remove, :redo, :reset, :recover");
-  CHECK(choose_command("sohw", commands).problem == "there is no command `:sohw`; did you mean `:show`?");
 }
 
 } // namespace

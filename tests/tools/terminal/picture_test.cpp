@@ -1,4 +1,3 @@
-#include "tools/repl/line_editor.hpp"
 #include "tools/terminal/picture.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,16 +23,6 @@ struct Variable {
   Variable(const char* n, const char* value) : name(n) { setenv(n, value, 1); }
   ~Variable() { unsetenv(name.c_str()); }
 };
-
-TEST_CASE("completion list: words stand in columns, read downwards") {
-  CHECK(in_columns({"aa", "b", "c", "d"}, 12) == "aa  c\nb   d\n");
-}
-
-TEST_CASE("indentation: two spaces for each open bracket, those in strings and comments aside") {
-  CHECK(indentation_after("sphere {") == "  ");
-  CHECK(indentation_after("for x in [1, 2] {\n  box { size: [x") == "      ");
-  CHECK(indentation_after("a = \"{\" // {") == "");
-}
 
 TEST_CASE("terminal attributes: 4 stands for sixels, 64 and 14 do not") {
   CHECK(has_sixels("\x1b[?62;4;22c"));

@@ -1,4 +1,5 @@
 #include "lang/builtins/builtins.hpp"
+#include "renderer/math/random.hpp"
 #include "renderer/math/vec3.hpp"
 
 #include <algorithm>
@@ -8,12 +9,8 @@
 namespace rt::lang::builtins {
 namespace {
 
-/// The finaliser of splitmix64 (G. Steele, D. Lea, C. Flood, Fast Splittable Pseudorandom Number Generators, 2014).
 constexpr std::uint64_t scrambled(std::uint64_t h) {
-  h += 0x9e3779b97f4a7c15;
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
-  return h ^ (h >> 31);
+  return mix_bits(h + golden_increment);
 }
 
 std::optional<std::uint64_t> key_hash(BuiltinCall& c, std::size_t first) {
@@ -32,7 +29,7 @@ std::optional<std::uint64_t> key_hash(BuiltinCall& c, std::size_t first) {
 Value random_number(BuiltinCall& c) {
   const auto h = key_hash(c, 0);
   if (!h) return Value::poison();
-  return static_cast<double>(*h >> 11) * 0x1p-53;
+  return unit_interval(*h);
 }
 
 double fade_curve(double t) {

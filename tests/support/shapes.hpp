@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/math/random.hpp"
 #include "renderer/scene/shapes.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,28 +12,20 @@
 /// What the tests of shapes share.
 namespace rt::tests {
 
-/// Numbers that look random and are the same on every machine (Steele, Lea and Flood's SplitMix64). So that they are
-/// with every compiler too, no more than one is drawn between two operators or in a call's arguments; braces have an
-/// order.
-class Random {
+/// Random numbers for shapes. So that they are the same with every compiler, no more than one is drawn between two
+/// operators or in a call's arguments; braces have an order.
+class Random : public SplitMix64 {
 public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  using SplitMix64::SplitMix64;
 
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
-  double number(double low, double high) { return low + (high - low) * 0x1p-53 * static_cast<double>(bits() >> 11U); }
   /// As likely between 1 and 10 as between 10 and 100.
-  double magnitude(double low, double high) { return low * std::pow(high / low, number(0, 1)); }
+  double magnitude(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
   double sign() { return bits() % 2 == 0 ? 1 : -1; }
   double signed_magnitude(double low, double high) {
     const double side = sign();
     return side * magnitude(low, high);
   }
-  Vec3 vector(double low, double high) { return {number(low, high), number(low, high), number(low, high)}; }
+  Vec3 vector(double low, double high) { return {between(low, high), between(low, high), between(low, high)}; }
   Vec3 direction() {
     while (true) {
       const Vec3 v = vector(-1, 1);
@@ -41,16 +34,13 @@ public:
   }
   Vec3 within_ball(double radius) {
     const Vec3 way = direction();
-    return way * number(0, radius);
+    return way * between(0, radius);
   }
   /// In any direction, as long as `magnitude` says.
   Vec3 step(double low, double high) {
     const Vec3 way = direction();
     return way * magnitude(low, high);
   }
-
-private:
-  std::uint64_t state_;
 };
 
 /// All crossings in front of the ray's origin, one after the other.

@@ -1,5 +1,6 @@
 #include "tools/inspect/scene_hash.hpp"
 
+#include "renderer/math/random.hpp"
 #include "tools/inspect/describe.hpp"
 
 #include <fmt/format.h>
@@ -30,18 +31,11 @@ public:
       take(word);
     }
   }
-  std::uint64_t result() const { return mixed(state_); }
+  std::uint64_t result() const { return mix_bits(state_); }
 
 private:
-  /// The finaliser of SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014): every bit
-  /// of the argument reaches every bit of the result, and no two arguments have the same one.
-  static constexpr std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
   /// No two words lead from one state to the same one.
-  void take(std::uint64_t word) { state_ = (std::rotl(state_, 23) ^ word) * 0x9e3779b97f4a7c15u; }
+  void take(std::uint64_t word) { state_ = (std::rotl(state_, 23) ^ word) * golden_increment; }
 
   std::uint64_t state_ = 0;
 };

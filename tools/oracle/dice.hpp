@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/math/random.hpp"
 #include "renderer/math/vec3.hpp"
 
 #include <cstdint>
@@ -7,23 +8,13 @@
 
 namespace rt::tools::oracle {
 
-/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom
-/// Number Generators, 2014). So that scenes are the same with every compiler, no two are drawn in the arguments of one
+/// Random numbers for scenes. So that they are the same with every compiler, no two are drawn in the arguments of one
 /// call or on both sides of an operator: there g++ drew the last first, and what is drawn backwards now is so that the
 /// scenes of the long runs keep their numbers.
-class Dice {
+class Dice : public SplitMix64 {
 public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  using SplitMix64::SplitMix64;
 
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-  /// In [0, 1).
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * unit(); }
   /// From 0 to count − 1.
   int below(int count) { return static_cast<int>(unit() * count); }
   bool chance(double probability) { return unit() < probability; }
@@ -54,9 +45,6 @@ public:
   }
 
   double length_unit = 1; ///< in the scene's lengths
-
-private:
-  std::uint64_t state_;
 };
 
 /// The seed of the `index`-th scene of a run, unrelated to its neighbours'.

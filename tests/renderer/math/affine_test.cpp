@@ -16,7 +16,7 @@ TEST_CASE("maps: those that keep shapes similar are known with their factor") {
     Affine map;
     for (int k = 0; k < 4; ++k) {
       const Vec3 axis = random.direction();
-      map = Affine::rotating(axis, random.number(-180, 180)) * map;
+      map = Affine::rotating(axis, random.between(-180, 180)) * map;
     }
     const double scale = random.magnitude(1e-6, 1e6);
     map = Affine::translating(random.vector(-1e6, 1e6)) * map * Affine::scaling({scale, scale, -scale});

@@ -13,7 +13,7 @@ namespace {
 
 double number(Random& random, const Constraint& allowed) {
   const double low = std::max(allowed.min, -100.0), high = std::min(allowed.max, std::max(100.0, low + 10));
-  const double value = low + (high - low) * random.number(0.01, 0.99);
+  const double value = low + (high - low) * random.between(0.01, 0.99);
   return allowed.is_whole ? std::round(value) : value;
 }
 
@@ -53,7 +53,7 @@ FieldValue value_for(Random& random, const Field& field) {
   case FieldType::choice:
     return Choice{static_cast<int>(random.bits() % field.choices.size())};
   case FieldType::fade:
-    return Fade{Fade::Law::quadratic, random.number(1, 10)};
+    return Fade{Fade::Law::quadratic, random.between(1, 10)};
   case FieldType::resolution:
     return Resolution{640, 480};
   }

@@ -192,7 +192,7 @@ TEST_CASE("cylinder: only lines that miss its side are told to pass by") {
     const Vec3 m = normalize(cross(axis, random.direction())), across = cross(axis, m);
     const double slope = random.magnitude(1e-7, 1), far = random.magnitude(1e-2, 1e8);
     const double distance = i % 2 == 0 ? 1 - random.magnitude(1e-7, 1) : 1 + random.magnitude(1e-2, 10);
-    const Vec3 nearest = cylinder.base + axis * (random.number(0, 1) * cylinder.height) + m * (distance * size);
+    const Vec3 nearest = cylinder.base + axis * (random.between(0, 1) * cylinder.height) + m * (distance * size);
     const Vec3 direction = normalize(axis * std::sqrt(1 - slope * slope) + across * slope);
     const Ray ray{nearest - direction * (far * size), direction * random.magnitude(1e-3, 1e3)};
     // What the origin was rounded by must not carry the line out of the side.

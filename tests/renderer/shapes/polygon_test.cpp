@@ -30,7 +30,7 @@ TEST_CASE("polygon: a convex one agrees with the half-planes of its edges (exerc
   const PolygonGeometry heptagon = outline(points);
   Random random(3);
   for (int i = 0; i < 3000; ++i) {
-    const double x = random.number(-1.2, 1.2), z = random.number(-1.2, 1.2);
+    const double x = random.between(-1.2, 1.2), z = random.between(-1.2, 1.2);
     bool is_inside = true; // within cos(π/7) of the origin along every edge's direction
     for (int k = 0; k < 7; ++k) {
       const double angle = 2 * pi * (k + 0.5) / 7;

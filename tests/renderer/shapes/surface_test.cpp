@@ -19,7 +19,7 @@ PolygonGeometry random_star(Random& random, double size) {
   scene::Polygon raw;
   raw.points.clear();
   for (int i = 0; i < 9; ++i) {
-    const double radius = size * random.number(0.3, 1), angle = 2 * std::numbers::pi * i / 9;
+    const double radius = size * random.between(0.3, 1), angle = 2 * std::numbers::pi * i / 9;
     raw.points.push_back(u * (radius * std::cos(angle)) + v * (radius * std::sin(angle)));
   }
   return geometry(raw);
@@ -28,10 +28,10 @@ PolygonGeometry random_star(Random& random, double size) {
 /// Calls f with a shape of each kind, of about the given size, about the origin.
 template <class F>
 void for_each_kind(Random& random, double size, F&& f) {
-  const auto part = [&] { return size * random.number(0.2, 1); };
+  const auto part = [&] { return size * random.between(0.2, 1); };
   const Vec3 axis = random.direction();
   f(SphereGeometry{{}, size});
-  f(PlaneGeometry{axis, size * random.number(-1, 1)});
+  f(PlaneGeometry{axis, size * random.between(-1, 1)});
   for (const bool is_open : {false, true}) {
     scene::Cylinder cylinder;
     cylinder.axis = axis, cylinder.height = part(), cylinder.radius = part(), cylinder.open = is_open;
@@ -42,7 +42,7 @@ void for_each_kind(Random& random, double size, F&& f) {
     f(geometry(scene::Cone{axis * -part(), axis * part(), part(), part(), is_open}));
   }
   f(BoxGeometry{Vec3{-part(), -part(), -part()}, Vec3{part(), part(), part()}});
-  f(DiscGeometry{{}, axis, size, size * random.number(0, 0.5)});
+  f(DiscGeometry{{}, axis, size, size * random.between(0, 0.5)});
   f(TriangleGeometry{{random.direction() * size, random.direction() * size, random.direction() * size}});
   scene::Quad quad;
   quad.corner = random.vector(-size, 0), quad.edge_u = random.direction() * size,
@@ -74,7 +74,7 @@ Box3 grown(const Box3& box, double by) {
 
 /// A direction out of a surface, or into it: anywhere, or so flat that it all but runs within.
 Vec3 spawned_direction(Random& random, const Vec3& normal, double side) {
-  const double rise = random.bits() % 2 == 0 ? random.number(0.01, 1) : random.magnitude(1e-15, 1);
+  const double rise = random.bits() % 2 == 0 ? random.between(0.01, 1) : random.magnitude(1e-15, 1);
   return perpendicular(random, normal) * std::sqrt(std::max(0.0, 1 - rise * rise)) + normal * (side * rise);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("every solid: what is inside is what lies between its crossings") {
       if (found.count == 0) return;
       const double enter = std::max(found.at[0].t, 0.0), leave = std::min(found.at[1].t, enter + 10);
       if (!(leave > enter + 1e-6 * std::abs(enter))) return;
-      const double inside = enter + (leave - enter) * random.number(0.1, 0.9);
+      const double inside = enter + (leave - enter) * random.between(0.1, 0.9);
       if (!contains(shape, ray.at(inside))) FAIL_CHECK("outside between the crossings");
       if (found.at[0].t > 0 && contains(shape, ray.at(found.at[0].t * 0.999))) FAIL_CHECK("inside before the crossing");
       // The surface's own hits are the crossings ahead.
@@ -241,7 +241,7 @@ TEST_CASE(
   Random random(12);
   int count = 0;
   for (int i = 0; i < 400; ++i) {
-    const Affine shear{{1, random.number(-1, 1), 0}, {0, 1, random.number(-1, 1)}, {random.number(-1, 1), 0, 1}, {}};
+    const Affine shear{{1, random.between(-1, 1), 0}, {0, 1, random.between(-1, 1)}, {random.between(-1, 1), 0, 1}, {}};
     const auto factor = [&] { return random.signed_magnitude(0.01, 100); };
     const Affine stretch = Affine::scaling({factor(), factor(), factor()});
     const Affine turn = Affine::rotating_xyz(random.vector(-180, 180));

@@ -116,7 +116,7 @@ TEST_CASE("triangle: no ray slips through an edge or a corner that faces share")
     Random random(11);
     for (int i = 0; i < 4000; ++i) {
       const auto& [p] = faces[random.bits() % faces.size()];
-      const double share = i % 3 == 0 ? 0 : random.number(0, 1); // corners as well
+      const double share = i % 3 == 0 ? 0 : random.between(0, 1); // corners as well
       const Vec3 target = p[0] + (p[1] - p[0]) * share;
       const Vec3 inside = center + random.vector(-0.2, 0.2);
       if (!is_hit(faces, {inside, target - inside})) FAIL_CHECK("a ray leaks out at number " << i);
@@ -136,7 +136,7 @@ TEST_CASE("triangle: no ray slips between triangles and quads either") {
     const Vec3 origin = random.vector(-3, 3);
     // Seen from here the edge must not be a silhouette: both sides show the same face.
     if (dot(origin - a, cross(b - a, out)) * dot(origin - a, cross(back, b - a)) <= 0) continue;
-    const Ray ray{origin, a + (b - a) * random.number(0.01, 0.99) - origin};
+    const Ray ray{origin, a + (b - a) * random.between(0.01, 0.99) - origin};
     Hit hit;
     if (!intersect(quad, ray, {}, hit) && !intersect(one, ray, {}, hit) && !intersect(two, ray, {}, hit))
       FAIL_CHECK("a ray slips through at number " << i);

@@ -1,6 +1,7 @@
 // Things that are in view and never seen: too small, or hidden for good.
 
 #include "renderer/compile/geometries.hpp"
+#include "renderer/math/random.hpp"
 #include "tools/explain/lint/lint_parts.hpp"
 #include "tools/explain/naming.hpp"
 
@@ -135,16 +136,11 @@ private:
     d.notes.push_back(context_.findings.note(line_of(hull.origin), "this opaque solid is around it"));
   }
 
-  // In [0, 1), the same for the same arguments.
-  static double chance(std::uint64_t a, std::uint64_t b) {
-    std::uint64_t h = a * 0x9e3779b97f4a7c15U + b * 0xbf58476d1ce4e5b9U + 0x94d049bb133111ebU;
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9U;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebU;
-    return static_cast<double>((h ^ (h >> 31)) >> 11) * 0x1p-53;
-  }
+  // The same for the same key.
   static Vec3 random_point(const Box3& box, std::uint64_t key) {
+    SplitMix64 random(mix_bits(key));
     const Vec3 size = box.extent();
-    return box.lower + Vec3{size.x * chance(key, 1), size.y * chance(key, 2), size.z * chance(key, 3)};
+    return box.lower + Vec3{size.x * random.unit(), size.y * random.unit(), size.z * random.unit()};
   }
 
   /// The opaque solid that every line through the leaf enters before it and leaves after it.

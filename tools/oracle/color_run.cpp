@@ -1,4 +1,3 @@
-#include "lang/load.hpp"
 #include "renderer/render/render.hpp"
 #include "tools/oracle/runs.hpp"
 
@@ -87,34 +86,18 @@ private:
   }
 
   void add(const povray::Comparison& c, const std::vector<std::size_t>& features) {
-    ++result_.scenes;
     result_.samples += c.pixels;
-    result_.depths += c.depths;
-    result_.depths_beyond_p999 += c.depths_beyond_p999;
-    result_.depth_max = std::max(result_.depth_max, c.depth_max);
-    result_.normal_max = std::max(result_.normal_max, c.normal_max);
-    result_.id_mismatches += c.id_mismatches;
-    result_.ids_unexplained += c.ids_unexplained;
+    result_.add_geometry(c, features);
     result_.color_equal += c.color_equal;
     result_.color_unexplained += c.color_unexplained;
     result_.color_explained_by_rounding += c.color_unstable;
     result_.color_explained_by_limits += c.pixels - c.color_equal - c.color_unexplained - c.color_unstable;
     if (c.color_unexplained > 0) result_.color_max = std::max(result_.color_max, c.color_max);
-    result_.coverage.add(features);
   }
 
-  // Keeps what kind of failure it is in mind no further than that it is one, but a file must still load.
   void make_small(Failure& failure) {
-    const auto fails = [&](const Block& block) {
-      try {
-        scene::Scene scene = load(print(block));
-        return !refusal(scene) && !complaint(compare(scene, 4), {}).empty();
-      } catch (const std::exception&) {
-        return false;
-      }
-    };
-    const Block block = file(failure.scene);
-    if (fails(block)) failure.text = print(minimise(block, fails, 400));
+    minimise(failure, file(failure.scene),
+             [&](scene::Scene& scene) { return !complaint(compare(scene, 4), {}).empty(); });
   }
 
   const RunSettings& settings_;
@@ -123,22 +106,6 @@ private:
 };
 
 } // namespace
-
-scene::Scene load(const std::string& text) {
-  lang::Loaded loaded = lang::load_text(text, "random.rtl", ".", {});
-  if (loaded.scene) return std::move(*loaded.scene);
-  for (const lang::Diagnostic& d : loaded.diagnostics)
-    if (d.severity == lang::Severity::error)
-      throw std::runtime_error(fmt::format("the scene does not load: line {}: {}",
-                                           loaded.sources.position(d.span.file, d.span.begin).line, d.message));
-  throw std::runtime_error("the scene does not load");
-}
-
-std::optional<std::string> refusal(const scene::Scene& scene) {
-  std::vector<povray::Inexact> inexact = povray::export_povray(scene).inexact;
-  if (inexact.empty()) return std::nullopt;
-  return std::move(inexact.front().message);
-}
 
 RunResult run_colors(const RunSettings& settings) {
   return ColorRun(settings).run();

@@ -33,9 +33,8 @@ std::string color(Dice& dice) {
   case 3:
     return text(dice.between(0.2, 1)); // a number is grey
   default: {
-    constexpr const char* names[] = {"peru", "teal", "gold_", "orchid", "white", "tomato", "khaki", "skyblue"};
-    const std::string name = names[dice.below(8)];
-    return name == "gold_" ? "darkorange" : name;
+    constexpr const char* names[] = {"peru", "teal", "darkorange", "orchid", "white", "tomato", "khaki", "skyblue"};
+    return names[dice.below(8)];
   }
   }
 }

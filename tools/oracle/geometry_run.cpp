@@ -174,7 +174,8 @@ private:
       const std::string what = compare(*scenes[i], rays(first + i), own, one);
       at += own.size();
       const std::lock_guard lock(mutex_);
-      add(one, features_of(*scenes[i]));
+      result_.samples += one.samples;
+      result_.add_geometry(one, features_of(*scenes[i]));
       if (!what.empty()) result_.failures.push_back({first + i, what, print(file(first + i))});
       if (settings_.on_progress) settings_.on_progress(result_.scenes);
     }
@@ -221,34 +222,14 @@ private:
     return what;
   }
 
-  void add(const RunResult& one, const std::vector<std::size_t>& features) {
-    ++result_.scenes;
-    result_.samples += one.samples;
-    result_.depths += one.depths;
-    result_.depths_beyond_p999 += one.depths_beyond_p999;
-    result_.depth_max = std::max(result_.depth_max, one.depth_max);
-    result_.normal_max = std::max(result_.normal_max, one.normal_max);
-    result_.id_mismatches += one.id_mismatches;
-    result_.ids_unexplained += one.ids_unexplained;
-    result_.coverage.add(features);
-  }
-
   void make_small(Failure& failure) {
     const std::vector<Ray> own = rays(failure.scene);
-    const auto fails = [&](const Block& block) {
-      try {
-        const scene::Scene scene = load(print(block));
-        if (refusal(scene)) return false;
-        Script script;
-        script.ask(geometry_of(scene), own);
-        RunResult ignored;
-        return !compare(scene, own, script.run(own, options()), ignored).empty();
-      } catch (const std::exception&) {
-        return false;
-      }
-    };
-    const Block block = file(failure.scene);
-    if (fails(block)) failure.text = print(minimise(block, fails, 400));
+    minimise(failure, file(failure.scene), [&](const scene::Scene& scene) {
+      Script script;
+      script.ask(geometry_of(scene), own);
+      RunResult ignored;
+      return !compare(scene, own, script.run(own, options()), ignored).empty();
+    });
   }
 
   const RunSettings& settings_;

@@ -4,6 +4,7 @@
 #include "tools/oracle/generate.hpp"
 #include "tools/povray/compare/compare.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -52,6 +53,19 @@ struct RunResult {
   std::vector<Failure> failures;    ///< by the scene's number
   std::vector<Refusal> refusals;    ///< the same
   std::vector<Explained> explained; ///< the same
+
+  /// Adds a scene that was compared, with what was found of its hits: a Comparison or a RunResult.
+  template <class Counts>
+  void add_geometry(const Counts& one, const std::vector<std::size_t>& features) {
+    ++scenes;
+    depths += one.depths;
+    depths_beyond_p999 += one.depths_beyond_p999;
+    depth_max = std::max(depth_max, one.depth_max);
+    normal_max = std::max(normal_max, one.normal_max);
+    id_mismatches += one.id_mismatches;
+    ids_unexplained += one.ids_unexplained;
+    coverage.add(features);
+  }
 };
 
 /// Whole pictures: ids, distances, normals and colours.
@@ -68,6 +82,10 @@ std::string report(const RunResult& result, Mode mode, bool all_pairs);
 std::string list_explained(const RunResult& result);
 /// Whether all bounds hold, every feature occurred and no more than one scene in a hundred was refused.
 bool holds(const RunResult& result, Mode mode);
+
+/// Makes the failing file as small as it can be while it loads, can be computed exactly by POV-Ray and `fails` in some
+/// way, not necessarily the same.
+void minimise(Failure& failure, const Block& file, const std::function<bool(scene::Scene&)>& fails);
 
 /// The description of a generated file. Throws std::runtime_error with the first diagnostic if it does not load.
 scene::Scene load(const std::string& text);

@@ -116,6 +116,11 @@ std::uint64_t saturating_sum(std::uint64_t a, std::uint64_t b) {
 
 } // namespace
 
+std::string place_text(const Scene& scene, Origin origin) {
+  if (origin.line == 0 || origin.file >= scene.files.size()) return {};
+  return scene.files[origin.file] + ':' + std::to_string(origin.line);
+}
+
 Placement placement(const Scene& scene, const Object& object) {
   Placement whole =
       object.transform == no_transform ? Placement{} : scene.transforms[static_cast<std::size_t>(object.transform)];

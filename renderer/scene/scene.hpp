@@ -48,6 +48,9 @@ std::optional<int> sample_grid(int samples);
 std::span<const Field> fields(const Scene*);
 std::optional<Problem> check(const Scene&);
 
+/// "scene.rtl:12"; empty where it was not written.
+std::string place_text(const Scene& scene, Origin origin);
+
 /// The object's placement in its parent, whole.
 Placement placement(const Scene& scene, const Object& object);
 /// The map from the object's own space to its parent's.

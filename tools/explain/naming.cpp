@@ -9,10 +9,6 @@ std::string name_at(const scene::Scene& scene, scene::NameId id) {
   return scene.names[static_cast<std::size_t>(id)];
 }
 
-std::string with_place(const std::string& name, const std::string& place) {
-  return place.empty() ? name : fmt::format("{} ({})", name, place);
-}
-
 } // namespace
 
 std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::span<const std::uint32_t> path) {
@@ -59,27 +55,39 @@ std::string name_of(const scene::Scene& scene, const scene::Light& light) {
   return std::visit(noun, light.source);
 }
 
-std::string place_of(const scene::Scene& scene, scene::Origin origin) {
-  if (origin.line == 0 || origin.file >= scene.files.size()) return {};
-  return fmt::format("{}:{}", scene.files[origin.file], origin.line);
+std::string Namer::place(scene::Origin origin) const {
+  if (origin.line != 0 && origin.file < scene_.files.size() && scene_.files[origin.file] == file_)
+    return fmt::format("line {}", origin.line);
+  return place_text(scene_, origin);
 }
 
-std::string describe(const scene::Scene& scene, std::span<const std::uint32_t> path) {
+std::string Namer::with_place(std::string name, scene::Origin origin) const {
+  const std::string text = place(origin);
+  return text.empty() ? name : fmt::format("{} ({})", name, text);
+}
+
+std::string Namer::object(const scene::Object& object) const {
+  return with_place(name_of(scene_, object), object.origin);
+}
+
+std::string Namer::whole(std::span<const std::uint32_t> path) const {
+  return whole(objects_on(scene_, path));
+}
+
+std::string Namer::whole(std::span<const scene::Object* const> objects) const {
   std::string text;
-  for (const scene::Object* object : objects_on(scene, path)) {
-    if (!text.empty()) text += ", its ";
-    text += with_place(name_of(scene, *object), place_of(scene, object->origin));
-  }
+  for (const scene::Object* o : objects) text += (text.empty() ? "" : ", its ") + object(*o);
   return text;
 }
 
-std::string describe(const scene::Scene& scene, const scene::Light& light) {
-  return with_place(name_of(scene, light), place_of(scene, light.origin));
+std::string Namer::title(std::span<const std::uint32_t> path) const {
+  const scene::Object* const o = owner(scene_, path);
+  return o ? object(*o) : "?";
 }
 
-std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path) {
-  const scene::Object* const object = owner(scene, path);
-  return object ? with_place(name_of(scene, *object), place_of(scene, object->origin)) : "?";
+std::string Namer::light(std::uint32_t index) const {
+  const scene::Light& light = scene_.lights[index];
+  return with_place(name_of(scene_, light), light.origin);
 }
 
 } // namespace rt::tools::explain

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// How objects and lights are called in answers.
@@ -22,14 +23,30 @@ const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint3
 std::string name_of(const scene::Scene& scene, const scene::Object& object);
 std::string name_of(const scene::Scene& scene, const scene::Light& light);
 
-/// `scene.rtl:12`; empty where it was not written.
-std::string place_of(const scene::Scene& scene, scene::Origin origin);
+/// Names with the shortest place that says where they are written: "`ball` (line 7)", with the file where it is not
+/// the scene's own.
+class Namer {
+public:
+  /// `file` is what the scene's own file is called in `scene.files`; without it every place has its file. The scene
+  /// must outlive the namer.
+  explicit Namer(const scene::Scene& scene, std::string_view file = {}) : scene_(scene), file_(file) {}
 
-/// The whole of what was hit, outermost first: "`table` (scene.rtl:12), its box (scene.rtl:4)".
-std::string describe(const scene::Scene& scene, std::span<const std::uint32_t> path);
-std::string describe(const scene::Scene& scene, const scene::Light& light);
+  /// The whole of what was hit, outermost first: "`table` (line 12), its box (line 4)".
+  std::string whole(std::span<const std::uint32_t> path) const;
+  /// The same for objects that stand within each other.
+  std::string whole(std::span<const scene::Object* const> objects) const;
+  /// The name of the object that answers for the whole: `owner`.
+  std::string title(std::span<const std::uint32_t> path) const;
+  std::string object(const scene::Object& object) const;
+  std::string light(std::uint32_t index) const;
+  /// "line 7", "other.rtl:7"; empty where it was not written.
+  std::string place(scene::Origin origin) const;
 
-/// The name of what answers for the whole.
-std::string title(const scene::Scene& scene, std::span<const std::uint32_t> path);
+private:
+  std::string with_place(std::string name, scene::Origin origin) const;
+
+  const scene::Scene& scene_;
+  std::string_view file_;
+};
 
 } // namespace rt::tools::explain

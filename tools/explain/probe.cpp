@@ -1,21 +1,14 @@
 #include "tools/explain/probe.hpp"
 
+#include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace rt::tools::explain {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-json to_json(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-json to_json(const Color& c) {
-  return {c.r, c.g, c.b};
-}
 
 std::string material_text(const HitReport& hit) {
   const MaterialValues& m = hit.material;
@@ -31,7 +24,7 @@ std::string material_text(const HitReport& hit) {
 }
 
 std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
-  std::string text = fmt::format("  object    {}\n", describe(scene, hit.path));
+  std::string text = fmt::format("  object    {}\n", Namer(scene).whole(hit.path));
   text += fmt::format("  t         {:.17g}    distance {:.17g}\n", hit.t, hit.distance);
   text += fmt::format("  point     {}\n", text_of(hit.point));
   text += fmt::format("  normal    {}    the ray {} here\n", text_of(hit.geometric_normal),
@@ -44,14 +37,7 @@ std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
 
 json hit_json(const scene::Scene& scene, const HitReport& hit) {
   const MaterialValues& m = hit.material;
-  json objects = json::array();
-  for (const scene::Object* object : objects_on(scene, hit.path)) {
-    json o{{"shape", scene.shapes.visit(object->shape, [](const auto& shape) { return std::string(shape.noun); })}};
-    if (object->name != scene::no_name) o["name"] = scene.names[static_cast<std::size_t>(object->name)];
-    if (object->origin.line != 0) o["file"] = scene.files[object->origin.file], o["line"] = object->origin.line;
-    objects.push_back(std::move(o));
-  }
-  return {{"objects", std::move(objects)},
+  return {{"objects", objects_json(scene, hit.path)},
           {"t", hit.t},
           {"distance", hit.distance},
           {"point", to_json(hit.point)},

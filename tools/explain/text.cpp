@@ -63,36 +63,6 @@ std::string list_text(std::span<const std::string> items) {
   return text;
 }
 
-std::string Namer::with_place(std::string name, scene::Origin origin) const {
-  if (origin.line == 0 || origin.file >= scene_.files.size()) return name;
-  if (scene_.files[origin.file] == file_) return fmt::format("{} (line {})", name, origin.line);
-  return fmt::format("{} ({})", name, place_of(scene_, origin));
-}
-
-std::string Namer::object(const scene::Object& object) const {
-  return with_place(name_of(scene_, object), object.origin);
-}
-
-std::string Namer::whole(std::span<const std::uint32_t> path) const {
-  return whole(objects_on(scene_, path));
-}
-
-std::string Namer::whole(std::span<const scene::Object* const> objects) const {
-  std::string text;
-  for (const scene::Object* o : objects) text += (text.empty() ? "" : ", its ") + object(*o);
-  return text;
-}
-
-std::string Namer::title(std::span<const std::uint32_t> path) const {
-  const scene::Object* const o = owner(scene_, path);
-  return o ? object(*o) : "?";
-}
-
-std::string Namer::light(std::uint32_t index) const {
-  const scene::Light& light = scene_.lights[index];
-  return with_place(name_of(scene_, light), light.origin);
-}
-
 namespace {
 
 // Up to the next space outside of brackets: vectors and places stay whole.

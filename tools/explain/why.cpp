@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 namespace rt::tools::explain {
+
 Answer::Answer(const scene::Scene& described, std::string_view file_name, const RayQuery& query,
                const Question& question)
     : scene(described), compiled(query.scene()), file(file_name), namer(described, file_name),
-      ray(resolve(question, described, query.camera())), tree(record(query, ray.ray)), sum(take_apart(*tree)),
-      is_of_pixel(question.pixel.has_value()) {
+      ray(resolve(question, described, query.camera())), tree(record(query, ray.ray)), sum(take_apart(*tree)) {
   if (question.pixel && scene.samples > 1) pixel = query.pixel((*question.pixel)[0], (*question.pixel)[1]);
 }
 

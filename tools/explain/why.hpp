@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tools/explain/contributions.hpp"
+#include "tools/explain/naming.hpp"
 #include "tools/explain/question.hpp"
 #include "tools/explain/text.hpp"
 
@@ -26,7 +27,6 @@ struct Answer {
   NamedRay ray;
   std::unique_ptr<RayNode> tree;
   Sum sum;
-  bool is_of_pixel = false;   ///< a pixel, or a sample of one
   std::optional<Color> pixel; ///< where the pixel has several samples: their mean
 };
 

@@ -1,7 +1,6 @@
+#include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
 #include "tools/explain/why_surface.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -11,39 +10,12 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json to_json(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-json to_json(const Color& c) {
-  return {c.r, c.g, c.b};
-}
-// JSON has no infinity: a sun's distance is null.
-json to_json(double v) {
-  return std::isfinite(v) ? json(v) : json(nullptr);
-}
-
 double degrees(double cosine) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180 / std::numbers::pi);
 }
 
 json ray_json(const Ray& ray) {
   return {{"origin", to_json(ray.origin)}, {"direction", to_json(ray.direction)}};
-}
-
-json place_json(const scene::Scene& scene, json named, scene::Origin origin) {
-  if (origin.line != 0 && origin.file < scene.files.size())
-    named["file"] = scene.files[origin.file], named["line"] = origin.line;
-  return named;
-}
-
-json objects_json(const scene::Scene& scene, std::span<const std::uint32_t> path) {
-  json objects = json::array();
-  for (const scene::Object* object : objects_on(scene, path)) {
-    json o{{"shape", scene.shapes.visit(object->shape, [](const auto& shape) { return std::string(shape.noun); })}};
-    if (object->name != scene::no_name) o["name"] = scene.names[static_cast<std::size_t>(object->name)];
-    objects.push_back(place_json(scene, std::move(o), object->origin));
-  }
-  return objects;
 }
 
 json derivation_json(const Derivation& d) {
@@ -74,7 +46,7 @@ json combination_json(const scene::Scene& scene, const CombinationStretches& c) 
   json operands = json::array();
   for (const OperandStretches& operand : c.operands) {
     json o{{"object", name_of(scene, *operand.object)}};
-    o = place_json(scene, std::move(o), operand.object->origin);
+    o = with_place(scene, std::move(o), operand.object->origin);
     o["inside"] = stretches_json(operand.inside);
     operands.push_back(std::move(o));
   }
@@ -144,7 +116,7 @@ private:
   json light(const LightNode& node) const {
     const LightRecord& r = node.record;
     const scene::Light& light = answer_.scene.lights[r.light];
-    json j = place_json(answer_.scene, {{"light", explain::name_of(answer_.scene, light)}}, light.origin);
+    json j = with_place(answer_.scene, {{"light", explain::name_of(answer_.scene, light)}}, light.origin);
     j["distance"] = to_json(r.sample.distance);
     j["fade"] = to_json(r.sample.fade);
     j["cone"] = to_json(r.sample.spot);

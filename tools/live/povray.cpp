@@ -29,7 +29,7 @@ PovrayExport export_povray(const Document& document, bool has_comments) {
   povray::Exported exported = povray::export_povray(document.scene(), {.comments = has_comments});
   PovrayExport result{std::move(exported.text), ""};
   for (const povray::Inexact& inexact : exported.inexact) {
-    const std::string place = povray::place_text(document.scene(), inexact.origin);
+    const std::string place = place_text(document.scene(), inexact.origin);
     result.problems += fmt::format("error: {}\n", inexact.message);
     if (!place.empty()) result.problems += fmt::format("  --> {}\n", place);
   }

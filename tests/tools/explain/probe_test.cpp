@@ -44,8 +44,8 @@ TEST_CASE("probe: a hit names the object, its line and the pattern's colour ther
   const explain::NamedRay through{{{0.5, 0.25, 9}, {0, 0, -1}}, "ray"};
   const auto hits = explain::find_hits(query, through.ray, true);
   REQUIRE(hits.size() == 4);
-  CHECK(explain::describe(scene, hits[0].path) == "`near` (test.rtl:3)");
-  CHECK(explain::describe(scene, hits[2].path) == "sphere (test.rtl:4)");
+  CHECK(explain::Namer(scene).whole(hits[0].path) == "`near` (test.rtl:3)");
+  CHECK(explain::Namer(scene).whole(hits[2].path) == "sphere (test.rtl:4)");
   // The far ball's own z there is sqrt(1 - 0.25 - 0.0625) = 0.83: the cell (0, 0, 0), even, is a.
   const auto j = explain::probe_json(scene, through, hits);
   CHECK(j["hits"][2]["material"]["color"] == nlohmann::ordered_json({1.0, 0.0, 0.0}));

@@ -41,15 +41,12 @@ lang::Note Findings::note(Line line, std::string message) const {
 }
 
 std::string Findings::place(Line line) const {
-  if (line.number == 0) return {};
-  return line.file == 0 ? fmt::format("line {}", line.number)
-                        : fmt::format("{}:{}", scene_.files[line.file], line.number);
+  return namer_.place({line.file, line.number});
 }
 
 std::string Findings::name(const scene::Object& object) const {
-  const std::string bare = name_of(scene_, object), where = place(line_of(object.origin));
-  const std::string name = bare.starts_with('`') ? bare : "the " + bare;
-  return where.empty() ? name : fmt::format("{} ({})", name, where);
+  const std::string name = namer_.object(object);
+  return name.starts_with('`') ? name : "the " + name;
 }
 
 int workers_of(const LintOptions& options) {

@@ -3,6 +3,7 @@
 #include "lang/diagnostics/diagnostic.hpp"
 #include "renderer/render/ray_query.hpp"
 #include "tools/explain/lint/lint.hpp"
+#include "tools/explain/naming.hpp"
 
 #include <functional>
 #include <map>
@@ -70,7 +71,8 @@ struct Around {
 /// Warnings as they are found.
 class Findings {
 public:
-  Findings(const scene::Scene& scene, const lang::SourceMap& sources) : scene_(scene), sources_(sources) {}
+  Findings(const scene::Scene& scene, const lang::SourceMap& sources)
+      : namer_(scene, scene.files.empty() ? "" : scene.files.front()), sources_(sources) {}
 
   /// A warning at a line, or about the scene as a whole where nothing was written (line 0).
   lang::Diagnostic& warn(std::string_view code, Line line, std::string message);
@@ -87,7 +89,7 @@ public:
 private:
   lang::Span span(Line line) const;
 
-  const scene::Scene& scene_;
+  Namer namer_;
   const lang::SourceMap& sources_;
   std::vector<lang::Diagnostic> found_;
 };

@@ -398,9 +398,4 @@ std::string export_geometry(const Scene& scene, const std::string& name) {
   return Exporter(scene, {.pass = Pass::depth, .comments = false}).run_geometry(name);
 }
 
-std::string place_text(const Scene& scene, Origin origin) {
-  if (origin.line == 0 || origin.file >= scene.files.size()) return {};
-  return fmt::format("{}:{}", scene.files[origin.file], origin.line);
-}
-
 } // namespace rt::tools::povray

@@ -56,7 +56,4 @@ double decode_depth(Packed pixel);
 Packed encode_id(std::uint32_t id);
 Packed encode_depth(double distance);
 
-/// `FILE:LINE` of what `origin` names; empty where it was not written.
-std::string place_text(const scene::Scene& scene, scene::Origin origin);
-
 } // namespace rt::tools::povray

@@ -116,10 +116,6 @@ std::string version() {
   return result.errors.substr(begin, result.errors.find_first_of(" \n", begin) - begin);
 }
 
-bool is_installed() {
-  return !find_program("povray").empty();
-}
-
 void run_many(std::size_t count, int at_once, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;

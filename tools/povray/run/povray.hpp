@@ -47,7 +47,6 @@ std::string run_script(const std::string& text, const std::vector<ScriptFile>& i
 
 /// "3.7.0.10.unofficial", as the program says. Throws Missing.
 std::string version();
-bool is_installed();
 
 /// The pictures of POV-Ray's render-state file: linear float, neither clamped nor rounded. Nothing if the bytes are not
 /// such a file or do not cover the picture.

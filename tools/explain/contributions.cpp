@@ -11,8 +11,8 @@ public:
 
   void ray(const RayNode& node, const Color& weight) {
     const std::uint32_t mark = last_;
-    if (!node.is_told) {
-      add(Contribution::Kind::untold, weight * node.radiance);
+    if (!node.is_expanded) {
+      add(Contribution::Kind::unexpanded, weight * node.radiance);
       return;
     }
     for (std::size_t i = 0; i < node.surfaces.size(); ++i) {

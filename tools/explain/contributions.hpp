@@ -18,10 +18,10 @@ inline constexpr std::uint32_t no_step = 0xffffffff;
 
 /// A term of the shading equation with its weight in the first ray's radiance.
 struct Contribution {
-  enum class Kind : std::uint8_t { ambient, emission, diffuse, highlight, background, untold };
+  enum class Kind : std::uint8_t { ambient, emission, diffuse, highlight, background, unexpanded };
   Kind kind;
   Color value;
-  const SurfaceNode* surface = nullptr; ///< none for the background and what was not told in detail
+  const SurfaceNode* surface = nullptr; ///< none for the background and what was not expanded
   std::uint32_t light = 0;              ///< of diffuse light and highlights
   std::uint32_t last_step = no_step;    ///< of the way from the first surface to this one, in `Sum::steps`
 };
@@ -45,7 +45,7 @@ struct Sum {
 
 Sum take_apart(const RayNode& root);
 
-/// What counts as the size of a colour when shares are told.
+/// What counts as the size of a colour when shares are compared.
 inline double size_of(const Color& c) {
   return c.r + c.g + c.b;
 }

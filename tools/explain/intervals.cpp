@@ -13,10 +13,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int deepest = 200;
 
-Stretches complement(const Stretches& a) {
-  Stretches outside;
+LineIntervals complement(const LineIntervals& a) {
+  LineIntervals outside;
   double from = -infinity;
-  for (const Stretch& s : a) {
+  for (const LineInterval& s : a) {
     if (s.enter > from) outside.push_back({from, s.enter});
     from = s.leave;
   }
@@ -25,8 +25,8 @@ Stretches complement(const Stretches& a) {
 }
 
 template <Solidlike G>
-Stretches of_shape(const G& shape, const Ray& ray) {
-  Stretches inside;
+LineIntervals of_shape(const G& shape, const Ray& ray) {
+  LineIntervals inside;
   const Crossings found = crossings(shape, ray);
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(found.count); i += 2)
     inside.push_back({found.at[i].t, found.at[i + 1].t});
@@ -41,12 +41,12 @@ class Walker {
 public:
   explicit Walker(const scene::Scene& scene) : scene_(scene) {}
 
-  Stretches along(const scene::Object& object, const Ray& ray, int depth) const {
+  LineIntervals along(const scene::Object& object, const Ray& ray, int depth) const {
     if (depth > deepest) throw TooDeep{};
     const auto back = inverse(to_parent(scene_, object));
     if (!back) return {};
     const Ray own = back->ray(ray);
-    return scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) -> Stretches {
+    return scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) -> LineIntervals {
       if constexpr (std::is_same_v<S, scene::Group>)
         return all(shape.members, scene::Combination::Operation::unite, own, depth);
       else if constexpr (std::is_same_v<S, scene::Combination>)
@@ -59,9 +59,9 @@ public:
   }
 
 private:
-  Stretches all(const std::vector<scene::Object>& objects, scene::Combination::Operation operation, const Ray& ray,
-                int depth) const {
-    Stretches inside;
+  LineIntervals all(const std::vector<scene::Object>& objects, scene::Combination::Operation operation, const Ray& ray,
+                    int depth) const {
+    LineIntervals inside;
     bool is_first = true;
     for (const scene::Object& object : objects) {
       if (!object.is_visible) {
@@ -76,7 +76,8 @@ private:
   }
 
 public:
-  static Stretches combine(scene::Combination::Operation operation, const Stretches& a, const Stretches& b) {
+  static LineIntervals combine(scene::Combination::Operation operation, const LineIntervals& a,
+                               const LineIntervals& b) {
     switch (operation) {
     case scene::Combination::Operation::unite:
       return unite(a, b);
@@ -94,11 +95,12 @@ private:
 
 } // namespace
 
-Stretches unite(const Stretches& a, const Stretches& b) {
-  Stretches sorted = a, whole;
+LineIntervals unite(const LineIntervals& a, const LineIntervals& b) {
+  LineIntervals sorted = a, whole;
   sorted.insert(sorted.end(), b.begin(), b.end());
-  std::sort(sorted.begin(), sorted.end(), [](const Stretch& s, const Stretch& t) { return s.enter < t.enter; });
-  for (const Stretch& s : sorted) {
+  std::sort(sorted.begin(), sorted.end(),
+            [](const LineInterval& s, const LineInterval& t) { return s.enter < t.enter; });
+  for (const LineInterval& s : sorted) {
     if (!whole.empty() && s.enter <= whole.back().leave)
       whole.back().leave = std::max(whole.back().leave, s.leave);
     else
@@ -107,21 +109,21 @@ Stretches unite(const Stretches& a, const Stretches& b) {
   return whole;
 }
 
-Stretches intersect(const Stretches& a, const Stretches& b) {
-  Stretches both;
+LineIntervals intersect(const LineIntervals& a, const LineIntervals& b) {
+  LineIntervals both;
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    const Stretch common{std::max(i->enter, j->enter), std::min(i->leave, j->leave)};
+    const LineInterval common{std::max(i->enter, j->enter), std::min(i->leave, j->leave)};
     if (common.enter < common.leave) both.push_back(common);
     i->leave < j->leave ? ++i : ++j;
   }
   return both;
 }
 
-Stretches subtract(const Stretches& a, const Stretches& b) {
+LineIntervals subtract(const LineIntervals& a, const LineIntervals& b) {
   return intersect(a, complement(b));
 }
 
-std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
+std::optional<CombinationIntervals> intervals_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
                                                     const Ray& ray) {
   const auto objects = objects_on(scene, path);
   std::size_t at = 0;
@@ -131,12 +133,12 @@ std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, s
   if (!back) return std::nullopt;
   const Ray own = back->ray(ray);
   const auto& combination = scene.shapes.get<scene::Combination>(objects[at]->shape);
-  CombinationStretches result{static_cast<std::uint32_t>(at), combination.operation, {}, {}};
+  CombinationIntervals result{static_cast<std::uint32_t>(at), combination.operation, {}, {}};
   try {
     const Walker walker(scene);
     for (const scene::Object& operand : combination.operands) {
       if (!operand.is_visible) continue;
-      Stretches inside = walker.along(operand, own, 0);
+      LineIntervals inside = walker.along(operand, own, 0);
       result.inside = result.operands.empty() ? inside : Walker::combine(combination.operation, result.inside, inside);
       result.operands.push_back({&operand, std::move(inside)});
     }

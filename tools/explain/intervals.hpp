@@ -12,32 +12,32 @@
 namespace rt::tools::explain {
 
 /// The line is inside from `enter` to `leave`; both may be infinite.
-struct Stretch {
+struct LineInterval {
   double enter, leave;
 };
-using Stretches = std::vector<Stretch>; ///< apart from each other, in order
+using LineIntervals = std::vector<LineInterval>; ///< apart from each other, in order
 
-Stretches unite(const Stretches& a, const Stretches& b);
-Stretches intersect(const Stretches& a, const Stretches& b);
-Stretches subtract(const Stretches& a, const Stretches& b);
+LineIntervals unite(const LineIntervals& a, const LineIntervals& b);
+LineIntervals intersect(const LineIntervals& a, const LineIntervals& b);
+LineIntervals subtract(const LineIntervals& a, const LineIntervals& b);
 
 /// One operand of a combination along a line.
-struct OperandStretches {
+struct OperandIntervals {
   const scene::Object* object;
-  Stretches inside;
+  LineIntervals inside;
 };
 
 /// A combination along a line.
-struct CombinationStretches {
+struct CombinationIntervals {
   std::uint32_t depth = 0; ///< its position on the path
   scene::Combination::Operation operation;
-  std::vector<OperandStretches> operands; ///< the visible ones, in order
-  Stretches inside;                       ///< of the whole
+  std::vector<OperandIntervals> operands; ///< the visible ones, in order
+  LineIntervals inside;                   ///< of the whole
 };
 
 /// Of the outermost combination that the path leads through, along the scene's `ray`; none if there is none, or if it
 /// is nested too deep to be worked out by hand.
-std::optional<CombinationStretches> stretches_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
+std::optional<CombinationIntervals> intervals_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
                                                     const Ray& ray);
 
 } // namespace rt::tools::explain

@@ -17,7 +17,7 @@ public:
     node->ray = next_ = ray;
     node->depth = depth;
     node->weight = weight;
-    node->is_told = surfaces_left_ > 0;
+    node->is_expanded = surfaces_left_ > 0;
     passed_.push_back(white);
   }
 
@@ -30,17 +30,17 @@ public:
   }
 
   void miss(const Color& background) {
-    if (!is_told()) return;
+    if (!is_expanded()) return;
     open_.back()->end = RayNode::End::background;
     open_.back()->background = background;
   }
 
   void too_deep() {
-    if (is_told()) open_.back()->end = RayNode::End::too_deep;
+    if (is_expanded()) open_.back()->end = RayNode::End::too_deep;
   }
 
   void surface(const RayHit& hit, const Surface& surface, const MaterialValues& values, const Vec3& normal) {
-    if (!is_told()) return;
+    if (!is_expanded()) return;
     if (surfaces_left_ > 0) --surfaces_left_;
     SurfaceNode node;
     node.ray = next_;
@@ -54,22 +54,22 @@ public:
   }
 
   void own_light(const Color& ambient, const Color& emission) {
-    if (!is_told()) return;
+    if (!is_expanded()) return;
     last().ambient = ambient;
     last().emission = emission;
   }
 
   void light(const LightRecord& record, const Surface& surface) {
-    if (!is_told()) return;
+    if (!is_expanded()) return;
     last().lights.push_back({record, record.filter == white ? std::vector<InTheWay>{} : in_the_way(record, surface)});
   }
 
   void reflection(const Color& rho, double reflectance, double cosine, double eta) {
-    if (is_told()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, nullptr};
+    if (is_expanded()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, nullptr};
   }
 
   void refraction(const Color& tau, const MediumTransition& transition, double cosine, double cosine_behind) {
-    if (!is_told()) return;
+    if (!is_expanded()) return;
     SurfaceNode& s = last();
     s.transition = PassageNode{tau, transition, cosine, cosine_behind, nullptr};
     // Needed only if the ray goes on unbent.
@@ -78,17 +78,17 @@ public:
   }
 
   void total_reflection(const MediumTransition& transition, double cosine) {
-    if (is_told()) last().total_reflection = TotalReflectionNode{transition, cosine, nullptr};
+    if (is_expanded()) last().total_reflection = TotalReflectionNode{transition, cosine, nullptr};
   }
 
   std::unique_ptr<RayNode> root;
 
 private:
-  bool is_told() const { return open_.back() && open_.back()->is_told; }
+  bool is_expanded() const { return open_.back() && open_.back()->is_expanded; }
   SurfaceNode& last() { return open_.back()->surfaces.back(); }
 
-  // The node for a ray that begins: the root, or the branch of the surface that told of it last. None below a ray that
-  // is not told.
+  // The node for a ray that begins: the root, or the branch of the surface that was recorded last. None below a ray
+  // that is not expanded.
   RayNode* add_ray() {
     auto node = std::make_unique<RayNode>();
     RayNode* const added = node.get();
@@ -96,7 +96,7 @@ private:
       root = std::move(node);
       return added;
     }
-    if (!is_told()) return nullptr;
+    if (!is_expanded()) return nullptr;
     SurfaceNode& s = last();
     (s.total_reflection ? s.total_reflection->ray : s.transition ? s.transition->ray : s.mirror->ray) = std::move(node);
     return added;

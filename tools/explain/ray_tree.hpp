@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// A ray and all that came of it, as the integrator told it: the numbers of this tree are the picture's own.
+/// A ray and all that came of it, as the integrator reported it: the numbers of this tree are the picture's own.
 namespace rt::tools::explain {
 
 struct RayNode;
@@ -84,11 +84,10 @@ struct RayNode {
   End end = End::surface;
   Color background;
   Color radiance;
-  bool is_told = true; ///< false: there were too many rays, and only the radiance is known
+  bool is_expanded = true; ///< false: there were too many rays, and only the radiance is known
 };
 
-/// Traces the ray with the picture's integrator and listens. Rays beyond `most_surfaces` surfaces are not told in
-/// detail.
+/// Traces the ray with the picture's integrator and listens. Rays beyond `most_surfaces` surfaces are not expanded.
 std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces = 20'000);
 
 } // namespace rt::tools::explain

@@ -65,8 +65,8 @@ private:
   std::optional<Reason> keeps_off(const SurfaceNode& s, const LightNode& light) const {
     const LightRecord& r = light.record;
     if (answer_.compiled.lights()[r.light].color == black) return Reason{"no light comes from ", "", {}};
-    if (r.sample.distance == 0) return Reason{"", " stands in the very point that is seen and does not light it", {}};
-    if (r.sample.spot == 0) return Reason{"it lies outside the cone of ", "", {}};
+    if (r.sample.distance == 0) return Reason{"", " is at the very point that is seen and does not light it", {}};
+    if (r.sample.spot == 0) return Reason{"it is outside the cone of ", "", {}};
     if (!(r.cos_light > 0)) return Reason{"it faces away from ", "", {}};
     if (max_component(r.filter) < 0.05) return blocks(s, light);
     return std::nullopt;
@@ -77,7 +77,7 @@ private:
     if (r.sample.fade < 0.05)
       return Reason{"it is too far away for the light of ", fmt::format(" (fade {:.2g})", r.sample.fade), {}};
     if (r.cos_light < 0.1) return Reason{"it is only grazed by the light of ", "", {}};
-    if (r.sample.spot < 0.05) return Reason{"it lies at the rim of the cone of ", "", {}};
+    if (r.sample.spot < 0.05) return Reason{"it is at the rim of the cone of ", "", {}};
     return std::nullopt;
   }
 
@@ -124,7 +124,7 @@ private:
   std::string of(const RayNode& ray, std::size_t first) const {
     if (first < ray.surfaces.size()) return of(ray, first, ray.surfaces[first]);
     if (ray.end == RayNode::End::background) {
-      if (max_component(ray.background) >= dark_below) return "little of the background's light gets by";
+      if (max_component(ray.background) >= dark_below) return "little of the background's light gets through";
       return first == 0 ? background() : "nothing is behind it, and the background is dark there";
     }
     return fmt::format("the ray ends at max_depth {}", answer_.scene.max_depth);
@@ -153,22 +153,22 @@ private:
     return lit(s, title);
   }
 
-  // The two sides of one thing are told once.
+  // The two sides of one thing are named once.
   static std::string chained(const std::string& how, const std::string& rest) {
     return rest.starts_with(how) ? rest : fmt::format("{}, and {}", how, rest);
   }
 
   std::string deeper(const RayNode& ray, const std::string& how) const {
-    if (max_component(ray.radiance) >= dark_below) return how + ", but little of the light from there gets by";
+    if (max_component(ray.radiance) >= dark_below) return how + ", but little of the light from there gets through";
     if (ray.surfaces.empty() && ray.end == RayNode::End::background)
       return fmt::format("{}, and the background there is {}", how, ray.background == black ? "black" : "dark");
-    if (!ray.is_told) return how + ", and little light comes from there";
+    if (!ray.is_expanded) return how + ", and little light comes from there";
     return chained(how, of(ray, 0));
   }
 
   std::string lit(const SurfaceNode& s, const std::string& title) const {
     const MaterialValues& m = s.material;
-    if (max_component(s.shading()) >= dark_below) return fmt::format("little of the light of {} gets by", title);
+    if (max_component(s.shading()) >= dark_below) return fmt::format("little of the light of {} gets through", title);
     if (max_component(m.color) < dark_below)
       return fmt::format("the color of {} is {}", title, m.color == black ? "black" : "dark");
     std::vector<std::string> reasons = surfaces_.why_unlit(s);
@@ -255,7 +255,7 @@ private:
         return fmt::format("bright because {} shows the highlight of {} here ({})", title, name(light),
                            percent_text(share(size)));
     if (emission > 0.5 * whole_)
-      return fmt::format("{} glows by itself: emission gives {}", title, percent_text(share(emission)));
+      return fmt::format("{} emits light: emission gives {}", title, percent_text(share(emission)));
     return lit(s, title, ambient, diffuse, highlight) + others(mirrored, through);
   }
 
@@ -356,8 +356,8 @@ std::string verdict(const Answer& answer) {
   if (!is_dark) return Brightness(answer).sentence() + clipping(seen) + cuts(answer);
   const std::string_view word = shown(seen) == "#000000" ? "black" : "dark";
   const std::string reason = Darkness(answer).of(*answer.tree);
-  const bool tells_cut = reason.find("max_depth") != std::string::npos;
-  return fmt::format("{} because {}", word, reason) + (tells_cut ? "" : cuts(answer));
+  const bool names_cut = reason.find("max_depth") != std::string::npos;
+  return fmt::format("{} because {}", word, reason) + (names_cut ? "" : cuts(answer));
 }
 
 } // namespace rt::tools::explain

@@ -35,24 +35,24 @@ json derivation_json(const Derivation& d) {
   return j;
 }
 
-json stretches_json(const Stretches& stretches) {
+json intervals_json(const LineIntervals& intervals) {
   json list = json::array();
-  for (const Stretch& s : stretches) list.push_back({to_json(s.enter), to_json(s.leave)});
+  for (const LineInterval& s : intervals) list.push_back({to_json(s.enter), to_json(s.leave)});
   return list;
 }
 
-json combination_json(const scene::Scene& scene, const CombinationStretches& c) {
+json combination_json(const scene::Scene& scene, const CombinationIntervals& c) {
   static constexpr std::string_view names[] = {"union", "intersection", "difference"};
   json operands = json::array();
-  for (const OperandStretches& operand : c.operands) {
+  for (const OperandIntervals& operand : c.operands) {
     json o{{"object", name_of(scene, *operand.object)}};
     o = with_place(scene, std::move(o), operand.object->origin);
-    o["inside"] = stretches_json(operand.inside);
+    o["inside"] = intervals_json(operand.inside);
     operands.push_back(std::move(o));
   }
   return {{"operation", names[static_cast<std::size_t>(c.operation)]},
           {"operands", std::move(operands)},
-          {"inside", stretches_json(c.inside)}};
+          {"inside", intervals_json(c.inside)}};
 }
 
 std::string_view name_of(MediumTransition::Kind kind) {
@@ -77,7 +77,7 @@ public:
            {"weight", to_json(node.weight)},
            {"ray", ray_json(node.ray)},
            {"radiance", to_json(node.radiance)}};
-    if (!node.is_told || node.depth > depth_) return j;
+    if (!node.is_expanded || node.depth > depth_) return j;
     json surfaces = json::array();
     for (const SurfaceNode& s : node.surfaces) surfaces.push_back(surface(s));
     j["surfaces"] = std::move(surfaces);
@@ -94,7 +94,7 @@ private:
            {"point", to_json(s.surface.point)},
            {"normal", to_json(s.normal)},
            {"enters", dot(s.surface.geometric_normal, s.ray.direction) < 0}};
-    if (const auto stretches = stretches_of(answer_, s)) j["combination"] = combination_json(answer_.scene, *stretches);
+    if (const auto intervals = intervals_of(answer_, s)) j["combination"] = combination_json(answer_.scene, *intervals);
     j["derivation"] = derivation_json(derivation_of(answer_, s));
     j["color"] = to_json(m.color);
     j["refract"] = m.refract;

@@ -18,9 +18,9 @@ std::string text_of(const Quantity& q) {
 }
 
 std::string agreement_text(const Derivation& d) {
-  if (d.disagreement == 0) return "the tracer has the same t";
-  const std::string part = fmt::format("the tracer's t differs by a part of {:.0e}", d.disagreement);
-  return d.disagreement < 1e-6 ? part : part + ": it avoids to subtract what is nearly equal, as these formulas do";
+  if (d.disagreement == 0) return "the renderer has the same t";
+  const std::string part = fmt::format("the renderer's t differs by {:.0e} of itself", d.disagreement);
+  return d.disagreement < 1e-6 ? part : part + ": it avoids the cancellation in these formulas";
 }
 
 void write_derivation(const Derivation& d, Page& page, int indent) {
@@ -51,24 +51,24 @@ std::string_view name_of(scene::Combination::Operation operation) {
   return "";
 }
 
-std::string text_of(const Stretches& stretches) {
-  if (stretches.empty()) return "nowhere";
+std::string text_of(const LineIntervals& intervals) {
+  if (intervals.empty()) return "nowhere";
   constexpr std::size_t most = 6;
   std::string text = "for t in ";
-  for (std::size_t i = 0; i < std::min(stretches.size(), most); ++i)
-    text += fmt::format("{}[{}, {}]", i == 0 ? "" : " and ", number_text(stretches[i].enter),
-                        number_text(stretches[i].leave));
-  if (stretches.size() > most) text += fmt::format(" and {} more", stretches.size() - most);
+  for (std::size_t i = 0; i < std::min(intervals.size(), most); ++i)
+    text += fmt::format("{}[{}, {}]", i == 0 ? "" : " and ", number_text(intervals[i].enter),
+                        number_text(intervals[i].leave));
+  if (intervals.size() > most) text += fmt::format(" and {} more", intervals.size() - most);
   return text;
 }
 
-void write_combination(const Answer& answer, const SurfaceNode& s, const CombinationStretches& c, Page& page,
+void write_combination(const Answer& answer, const SurfaceNode& s, const CombinationIntervals& c, Page& page,
                        int indent) {
   constexpr std::size_t most = 12;
-  page.line(indent, fmt::format("{} of solids, each a list of stretches of the line", name_of(c.operation)));
+  page.line(indent, fmt::format("{} of solids, each a list of intervals of the line", name_of(c.operation)));
   std::size_t written = 0, missed = 0;
   for (std::size_t i = 0; i < c.operands.size(); ++i) {
-    const OperandStretches& operand = c.operands[i];
+    const OperandIntervals& operand = c.operands[i];
     const bool decides = i == 0 && c.operation == scene::Combination::Operation::subtract;
     if ((operand.inside.empty() && !decides && c.operation != scene::Combination::Operation::intersect) ||
         written >= most) {
@@ -87,7 +87,7 @@ void write_combination(const Answer& answer, const SurfaceNode& s, const Combina
   const auto objects = objects_on(answer.scene, s.path);
   const std::string operand = answer.namer.whole(std::span<const scene::Object* const>(objects).subspan(c.depth + 1));
   std::string words = fmt::format("the first end ahead is t = {}, on the surface of {}", number_text(s.hit.t), operand);
-  if (s.hit.is_flipped) words += ", which is taken away: its normal is turned round";
+  if (s.hit.is_flipped) words += ", which is subtracted: its normal is flipped";
   page.line(indent + 2, words);
 }
 
@@ -131,7 +131,7 @@ void write_filters(const Answer& answer, const LightNode& light, Page& page, int
   for (std::size_t i = 0; i < std::min(light.in_the_way.size(), most); ++i) {
     const InTheWay& w = light.in_the_way[i];
     page.line(indent, fmt::format("{} at distance {} {}", answer.namer.whole(w.path), number_text(w.distance),
-                                  w.transmittance == black ? "blocks it" : "lets by " + color_text(w.transmittance)));
+                                  w.transmittance == black ? "blocks it" : "transmits " + color_text(w.transmittance)));
   }
   if (light.in_the_way.size() > most) page.line(indent, fmt::format("and {} more", light.in_the_way.size() - most));
 }
@@ -151,7 +151,7 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
   const MaterialValues& m = s.material;
   const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(light, r.sample));
   if (light.kind != Light::Kind::sun && r.sample.distance == 0)
-    return page.line(indent, name + ": it stands on this very point, which it does not light");
+    return page.line(indent, name + ": it is at this very point and does not light it");
   if (!(r.cos_light > 0))
     return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));
   const std::string facing = fmt::format("{}, {}", name, cosine_text("n·l", r.cos_light));
@@ -193,7 +193,7 @@ void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int i
   if (s.lights.empty()) page.line(indent + 2, "there is no light");
   page.line(indent + 2, fmt::format("together {}{}", color_text(s.shading()),
                                     s.passed == white ? ""
-                                                      : fmt::format(", of which the surfaces before let by {}",
+                                                      : fmt::format(", of which the surfaces before it transmit {}",
                                                                     color_text(s.passed * s.shading()))));
 }
 
@@ -207,14 +207,14 @@ Derivation derivation_of(const Answer& answer, const SurfaceNode& s) {
   return derive(answer.scene, s.path, s.ray, {s.hit.t, s.hit.shape_part, is_of_combination});
 }
 
-std::optional<CombinationStretches> stretches_of(const Answer& answer, const SurfaceNode& s) {
-  return stretches_along(answer.scene, s.path, s.ray);
+std::optional<CombinationIntervals> intervals_of(const Answer& answer, const SurfaceNode& s) {
+  return intervals_along(answer.scene, s.path, s.ray);
 }
 
 void write_surface(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
                                 vector_text(s.surface.point), side_text(answer, s)));
-  if (const auto stretches = stretches_of(answer, s)) write_combination(answer, s, *stretches, page, indent + 2);
+  if (const auto intervals = intervals_of(answer, s)) write_combination(answer, s, *intervals, page, indent + 2);
   write_derivation(derivation_of(answer, s), page, indent + 2);
   const bool is_smooth = !(s.surface.shading_normal == s.surface.geometric_normal);
   page.line(indent + 2, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
@@ -257,7 +257,7 @@ std::string passage_text(const Answer& answer, const SurfaceNode& s, const Mediu
   case MediumTransition::Kind::leaving:
     return fmt::format("leaves {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
   case MediumTransition::Kind::leaving_outer:
-    return fmt::format("leaves {} while still inside of what was entered later, ior {} stays", title,
+    return fmt::format("leaves {} while still inside of what was entered later, ior stays {}", title,
                        number_text(p.ior_from));
   }
   return "";
@@ -279,13 +279,14 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
     page.line(indent + 2, fmt::format("Snell: sin θ₂ = (n₁/n₂)·sin θ₁ = {}·{} = {}: {} becomes {}", number_text(eta),
                                       number_text(sine(p.cosine)), number_text(sine(p.cosine_behind)),
                                       angle_text(p.cosine), angle_text(p.cosine_behind)));
-    if (!p.ray) page.line(indent + 2, "nothing comes through at weight 0");
+    if (!p.ray) page.line(indent + 2, "nothing is refracted at weight 0");
     return;
   }
-  page.line(indent + 2, p.tau == black
-                            ? "nothing comes through at weight 0"
-                            : fmt::format("the ior stays: the same ray goes on straight, at {}, no deeper than before",
-                                          angle_text(p.cosine)));
+  page.line(indent + 2,
+            p.tau == black
+                ? "nothing is refracted at weight 0"
+                : fmt::format("the ior is the same: the ray continues straight, at {}, without counting as deeper",
+                              angle_text(p.cosine)));
 }
 
 void write_total_reflection(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {

@@ -16,6 +16,6 @@ void write_total_reflection(const Answer& answer, const SurfaceNode& surface, Pa
 
 /// How the ray meets the surface's shape, and, where that is part of one, the combination.
 Derivation derivation_of(const Answer& answer, const SurfaceNode& surface);
-std::optional<CombinationStretches> stretches_of(const Answer& answer, const SurfaceNode& surface);
+std::optional<CombinationIntervals> intervals_of(const Answer& answer, const SurfaceNode& surface);
 
 } // namespace rt::tools::explain

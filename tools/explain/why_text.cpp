@@ -32,8 +32,8 @@ public:
     page_.line(indent,
                fmt::format("{}, depth {}, weight {}: from {} along {}", name_of(node.kind), node.depth,
                            color_text(node.weight), vector_text(node.ray.origin), vector_text(node.ray.direction)));
-    if (!node.is_told || node.depth > depth_) {
-      page_.line(indent + 2, fmt::format("brings {}", color_text(node.radiance)));
+    if (!node.is_expanded || node.depth > depth_) {
+      page_.line(indent + 2, fmt::format("returns {}", color_text(node.radiance)));
       return;
     }
     for (const SurfaceNode& s : node.surfaces) surface(s, indent + 2);
@@ -66,7 +66,7 @@ private:
       page_.line(indent,
                  node.surfaces.empty()
                      ? fmt::format("depth {} is beyond max_depth {}: black", node.depth, answer_.scene.max_depth)
-                     : fmt::format("depth {} is max_depth: what lies behind is not looked at, black", node.depth));
+                     : fmt::format("depth {} is max_depth: what lies beyond is not traced, black", node.depth));
   }
 
   // The parts of the ray's radiance.
@@ -90,9 +90,9 @@ private:
     }
     const std::string_view name = node.kind == RayKind::camera ? "the ray" : "this ray";
     if (parts > 1)
-      text = fmt::format("{} brings {} = {}", name, color_text(node.radiance), text);
+      text = fmt::format("{} returns {} = {}", name, color_text(node.radiance), text);
     else
-      text = fmt::format("{} brings {}", name, color_text(node.radiance));
+      text = fmt::format("{} returns {}", name, color_text(node.radiance));
     page_.line(indent, text);
   }
 
@@ -120,8 +120,8 @@ std::string term_text(const Answer& answer, const Contribution& term) {
   case Contribution::Kind::background:
     text = "the background";
     break;
-  case Contribution::Kind::untold:
-    text = "rays that are not told one by one";
+  case Contribution::Kind::unexpanded:
+    text = "rays that are summed up";
     break;
   }
   return text + way_text(answer.namer, answer.sum, term.last_step);
@@ -135,7 +135,7 @@ void write_sum(const Answer& answer, Page& page) {
   std::stable_sort(terms.begin(), terms.end(),
                    [](const auto* a, const auto* b) { return size_of(a->value) > size_of(b->value); });
   const double whole = size_of(answer.sum.total);
-  page.line(0, terms.empty() ? "nothing adds up to it" : "what adds up to it, the largest first");
+  page.line(0, terms.empty() ? "no contributions" : "contributions, the largest first");
   Color rest = black;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Contribution& term = *terms[i];
@@ -155,9 +155,9 @@ void write_sum(const Answer& answer, Page& page) {
               13);
   const Color traced = answer.tree->radiance, difference = answer.sum.total - traced;
   const double gap = std::max({std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
-  page.line(2, fmt::format("{:>9}  {}  {}", "sum", color_text(answer.sum.total),
-                           gap == 0 ? "which is what the tracer has"
-                                    : fmt::format("which is what the tracer has, to {:.1g}", gap)));
+  page.line(2,
+            fmt::format("{:>9}  {}  {}", "sum", color_text(answer.sum.total),
+                        gap == 0 ? "as the renderer has it" : fmt::format("as the renderer has it, to {:.1g}", gap)));
 }
 
 std::string headline(const Answer& answer) {

@@ -30,8 +30,8 @@ CommandChoice choose_command(std::string_view word, std::span<const ShellCommand
   std::vector<std::string_view> names;
   for (const ShellCommand& command : commands) names.push_back(command.name);
   const auto nearest = lang::nearest(word, names);
-  if (nearest) return {nullptr, fmt::format("there is no command `:{}`; did you mean `:{}`?", word, *nearest)};
-  return {nullptr, fmt::format("there is no command `:{}`; :help lists them", word)};
+  if (nearest) return {nullptr, fmt::format("unknown command `:{}`; did you mean `:{}`?", word, *nearest)};
+  return {nullptr, fmt::format("unknown command `:{}`; :help lists the commands", word)};
 }
 
 std::string_view trimmed(std::string_view text) {

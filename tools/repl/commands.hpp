@@ -18,7 +18,7 @@ struct ShellCommand {
   std::string_view arguments;
   std::string_view summary; ///< one line
   ArgumentKind argument = ArgumentKind::none;
-  /// False where it went wrong, which it has told.
+  /// False where it went wrong, which it has reported.
   bool (*run)(Shell& shell, std::string_view arguments) = nullptr;
 };
 

@@ -28,7 +28,7 @@ std::optional<std::size_t> version_number_of(Shell& shell, std::string_view text
 bool list(Shell& shell, std::string_view) {
   const std::vector<lang::ListedObject> objects = shell.session().objects();
   if (objects.empty()) {
-    shell.print("nothing is in the scene\n");
+    shell.print("the scene is empty\n");
     return true;
   }
   std::size_t name_width = 4, kind_width = 4;
@@ -144,14 +144,14 @@ void warn_of_includes(Shell& shell, const std::string& path, const std::string& 
   std::error_code error;
   const fs::path saved = fs::weakly_canonical(path, error).parent_path();
   if (error || fs::equivalent(saved, folder, error) || !shell.session().includes_files()) return;
-  shell.fail(fmt::format("the files it includes are in {}, and will be sought in {}", folder, saved.string()));
+  shell.fail(fmt::format("the files it includes are in {}, but will be looked up in {}", folder, saved.string()));
 }
 
 bool save(Shell& shell, std::string_view arguments) {
   const std::vector<std::string> words = words_of(arguments);
   if (words.size() > 1) return shell.fail("as in `:save scene.rtl`");
   std::string path = words.empty() ? shell.path() : words[0];
-  if (path.empty()) return shell.fail("under which name? As in `:save scene.rtl`");
+  if (path.empty()) return shell.fail("under which name? as in `:save scene.rtl`");
   if (!words.empty() && path.find('.', path.rfind('/') + 1) == std::string::npos) path += ".rtl";
   try {
     replace_file(path, shell.session().formatted());
@@ -173,18 +173,18 @@ bool reset(Shell& shell, std::string_view) {
 
 std::span<const ShellCommand> document_commands() {
   static constexpr ShellCommand table[] = {
-      {"list", "", "the things in the scene: name, kind, place", ArgumentKind::none, list},
-      {"text", "", "the document, as :save would write it", ArgumentKind::none, text},
-      {"set", "NAME.PROP VALUE", "changes a property of a thing with a name", ArgumentKind::property, set},
-      {"remove", "NAME", "takes out a thing or a name that nothing else uses", ArgumentKind::thing, remove},
-      {"undo", "", "takes back the last change", ArgumentKind::none, undo},
-      {"redo", "", "takes back an undo", ArgumentKind::none, redo},
-      {"history", "", "all states of the scene, with their numbers", ArgumentKind::none, history},
-      {"at", "N", "goes to one of them", ArgumentKind::none, at},
-      {"diff", "N [M]", "what changed from one to another", ArgumentKind::none, diff},
-      {"load", "FILE", "goes on with a scene file", ArgumentKind::file, load},
-      {"save", "[FILE]", "writes the scene as a formatted file", ArgumentKind::file, save},
-      {"reset", "", "begins anew (:undo takes it back)", ArgumentKind::none, reset},
+      {"list", "", "lists the things in the scene: name, kind, place", ArgumentKind::none, list},
+      {"text", "", "shows the document as :save would write it", ArgumentKind::none, text},
+      {"set", "NAME.PROP VALUE", "changes a property of a named thing", ArgumentKind::property, set},
+      {"remove", "NAME", "removes a thing or a name that nothing else uses", ArgumentKind::thing, remove},
+      {"undo", "", "undoes the last change", ArgumentKind::none, undo},
+      {"redo", "", "redoes what was undone", ArgumentKind::none, redo},
+      {"history", "", "lists all states of the scene by number", ArgumentKind::none, history},
+      {"at", "N", "goes to one of these states", ArgumentKind::none, at},
+      {"diff", "N [M]", "shows what changed from one to another", ArgumentKind::none, diff},
+      {"load", "FILE", "replaces the scene by a file's", ArgumentKind::file, load},
+      {"save", "[FILE]", "saves the scene as a formatted file", ArgumentKind::file, save},
+      {"reset", "", "starts over (:undo brings it back)", ArgumentKind::none, reset},
   };
   return table;
 }

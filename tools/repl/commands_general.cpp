@@ -17,13 +17,13 @@ bool help(Shell& shell, std::string_view arguments) {
     return true;
   }
   std::string text =
-      "Type a thing and it is in the scene; type a name, and see its value. `.move(x: 1)` changes the last\n"
-      "thing; a name that is bound again changes everything that uses it. Commands, which may be shortened:\n";
+      "Type a thing to add it to the scene, or an expression to see its value. `.move(x: 1)` changes the last\n"
+      "thing; binding a name again updates everything that uses it. Commands, which may be abbreviated:\n";
   for (const ShellCommand& command : commands) {
     const std::string usage = fmt::format(":{} {}", command.name, command.arguments);
     text += fmt::format("  {:<24} {}\n", usage, command.summary);
   }
-  text += "Tab completes, the arrows bring back what was typed, Ctrl-C clears the line or stops a picture.\n";
+  text += "Tab completes, the arrow keys recall earlier input, Ctrl-C clears the line or stops rendering.\n";
   shell.print(text);
   return true;
 }
@@ -41,7 +41,7 @@ bool quit(Shell& shell, std::string_view) {
 
 std::span<const ShellCommand> general_commands() {
   static constexpr ShellCommand table[] = {
-      {"recover", "", "brings back the last session that was not saved", ArgumentKind::none, recover},
+      {"recover", "", "restores the last unsaved session", ArgumentKind::none, recover},
       {"help", "[COMMAND]", "lists the commands", ArgumentKind::command, help},
       {"quit", "", "ends the session", ArgumentKind::none, quit},
   };

@@ -119,7 +119,7 @@ bool set_auto(Shell& shell, std::string_view arguments) {
   if (arguments != "on" && arguments != "off" && !arguments.empty()) return shell.fail("`:auto on` or `:auto off`");
   if (!shell.options().is_interactive) return shell.fail(":auto needs a terminal");
   if (!arguments.empty()) shell.set_previews(arguments == "on");
-  shell.print(shell.shows_previews() ? "a preview after each change\n" : "no previews\n");
+  shell.print(shell.shows_previews() ? "previews are on\n" : "previews are off\n");
   return true;
 }
 
@@ -127,9 +127,9 @@ bool set_auto(Shell& shell, std::string_view arguments) {
 
 std::span<const ShellCommand> picture_commands() {
   static constexpr ShellCommand table[] = {
-      {"show", "", "the picture, here in the terminal", ArgumentKind::none, show},
-      {"render", "FILE", "the picture as a file; --size WxH, --samples N", ArgumentKind::file, render},
-      {"auto", "on|off", "shows a preview after each change, or not", ArgumentKind::none, set_auto},
+      {"show", "", "shows the picture in the terminal", ArgumentKind::none, show},
+      {"render", "FILE", "renders to a file; --size WxH, --samples N", ArgumentKind::file, render},
+      {"auto", "on|off", "turns previews after each change on or off", ArgumentKind::none, set_auto},
   };
   return table;
 }

@@ -50,7 +50,7 @@ std::optional<Reply> reply_of(Shell& shell, const live::PictureSettings& setting
       if (!interrupt.stop()) return reply;
     }
   } catch (const std::bad_alloc&) {
-    problem = "there is not enough memory";
+    problem = "out of memory";
   } catch (const std::exception& error) {
     problem = error.what();
   }
@@ -87,7 +87,7 @@ PixelQuestion pixel_question(std::string_view command, std::string_view argument
   options.insert(options.end(), picture.begin(), picture.end());
   q.problem = take_options(words, options);
   if (!q.problem.empty() || words.empty()) return q;
-  if (words.size() > 2) q.problem = fmt::format("`{}` is one argument too many", words[2]);
+  if (words.size() > 2) q.problem = fmt::format("unexpected argument `{}`", words[2]);
   q.question.pixel = words[0];
   if (words.size() == 2) q.question.pixel += (words[0].ends_with(',') ? "" : ",") + words[1];
   return q;
@@ -119,7 +119,7 @@ bool read_options(Shell& shell, std::string_view arguments, std::vector<CommandO
   std::vector<std::string> words = words_of(arguments);
   const std::string problem = take_options(words, options);
   if (!problem.empty()) return shell.fail(problem);
-  return words.empty() || shell.fail(fmt::format("`{}` is one argument too many", words.front()));
+  return words.empty() || shell.fail(fmt::format("unexpected argument `{}`", words.front()));
 }
 
 bool lint(Shell& shell, std::string_view arguments) {
@@ -248,13 +248,13 @@ bool time(Shell& shell, std::string_view arguments) {
 
 std::span<const ShellCommand> question_commands() {
   static constexpr ShellCommand table[] = {
-      {"probe", "X Y", "what is seen in a pixel", ArgumentKind::none, probe},
-      {"why", "X Y", "why a pixel has its colour", ArgumentKind::none, why},
-      {"lint", "", "what may be a slip", ArgumentKind::none, lint},
+      {"probe", "X Y", "shows what a pixel sees", ArgumentKind::none, probe},
+      {"why", "X Y", "explains a pixel's colour", ArgumentKind::none, why},
+      {"lint", "", "warns about likely mistakes", ArgumentKind::none, lint},
       {"check", "", "compares the picture with POV-Ray's", ArgumentKind::none, check},
-      {"export", "pov FILE", "the scene for POV-Ray", ArgumentKind::file, export_scene},
+      {"export", "pov FILE", "exports the scene to POV-Ray", ArgumentKind::file, export_scene},
       {"doc", "NAME", "explains a thing, a property or a function", ArgumentKind::word, doc},
-      {"time", "[INPUT]", "how long the last input took, or runs one and tells", ArgumentKind::statement, time},
+      {"time", "[INPUT]", "times the last input, or the given one", ArgumentKind::statement, time},
   };
   return table;
 }

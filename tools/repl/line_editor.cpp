@@ -46,7 +46,7 @@ void write_all(std::string_view text) {
   std::fflush(stdout);
   while (!text.empty()) {
     const ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
-    if (n <= 0) return; // the terminal is gone, which reading will tell
+    if (n <= 0) return; // the terminal is gone, which the next read reports
     text.remove_prefix(static_cast<std::size_t>(n));
   }
 }

@@ -14,7 +14,7 @@ std::string unknown_option(std::string_view name, std::span<const CommandOption>
   std::vector<std::string_view> names;
   for (const CommandOption& option : options) names.push_back(option.name);
   const auto guess = lang::nearest(name, names);
-  return fmt::format("there is no option `--{}`{}", name, guess ? fmt::format("; did you mean `--{}`?", *guess) : "");
+  return fmt::format("unknown option `--{}`{}", name, guess ? fmt::format("; did you mean `--{}`?", *guess) : "");
 }
 
 std::string set(live::PictureSettings& settings, std::string_view option, const std::string& text) {

@@ -41,7 +41,8 @@ bool is_complete_input(std::string_view text) {
 }
 
 std::string banner() {
-  return fmt::format("rtlang {}: type a thing, see it with :show, ask for :help, end with Ctrl-D.\n", version_number());
+  return fmt::format("rtlang {}: type a thing to add it, :show to see it, :help for help, Ctrl-D to quit.\n",
+                     version_number());
 }
 
 std::string offer(const AbandonedSession& session) {
@@ -72,7 +73,7 @@ public:
       if (line.end == LineEditor::End::end_of_input) break;
       if (line.end == LineEditor::End::line) shell_.run(line.text);
     }
-    if (shell_.has_unsaved_changes()) print("Not saved; the next session offers it again.\n");
+    if (shell_.has_unsaved_changes()) print("Not saved; the next session offers to recover it.\n");
     shell_.close();
     return exit_fine;
   }

@@ -126,9 +126,9 @@ bool Shell::recover() {
   std::filesystem::current_path(session.working_folder, error);
   for (const std::string& entry : session.entries)
     if (!run(entry))
-      return fail(fmt::format("the session goes on from what came before; all of it is in {}", session.path));
+      return fail(fmt::format("the session continues with what came before; its journal is kept in {}", session.path));
   std::filesystem::remove(session.path, error);
-  print(dim(fmt::format("{} {} brought back", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
+  print(dim(fmt::format("{} {} restored", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
             output_.uses_color) +
         "\n");
   return true;

@@ -77,19 +77,19 @@ std::string help(const Subcommand& subcommand, const CLI::App& app) {
 std::string help() {
   const Subcommand& first = subcommands().front();
   CLI::App app;
-  app.set_help_flag("-h,--help", "prints this, or a command's own help");
+  app.set_help_flag("-h,--help", "prints this help, or a command's");
   const Action unused = first.declare(app);
-  std::string text = fmt::format("rtlang {}: from a scene's text to its picture\n\n"
+  std::string text = fmt::format("rtlang {}: a scene language and its ray tracer\n\n"
                                  "Usage: rtlang {}\n"
                                  "       rtlang COMMAND ...\n",
                                  version_number(), first.arguments);
   text += options_of(app, "Options", fmt::format("Options (rtlang {} --help lists all)", first.name));
-  text += row("    --version", "prints the program's version", option_column);
-  text += "\nCommands (rtlang COMMAND --help tells more):\n";
+  text += row("    --version", "prints the version", option_column);
+  text += "\nCommands (see rtlang COMMAND --help):\n";
   for (const Subcommand& subcommand : subcommands())
     text += row(subcommand.name, std::string(subcommand.summary), command_column);
-  text += "\nExit code: 0 fine, 1 the scene is wrong, 2 the command line is wrong,\n"
-          "3 the machine fails (disk, memory), 130 stopped by Ctrl-C\n";
+  text += "\nExit status: 0 success, 1 error in the scene, 2 usage error, 3 system error\n"
+          "(disk, memory), 130 interrupted by Ctrl-C\n";
   return text;
 }
 

@@ -22,7 +22,7 @@ namespace rt::tools {
 namespace {
 
 int usage_error(std::string_view message, std::string_view help_of) {
-  print_error(fmt::format("rtlang: {}\n`rtlang {}--help` tells what can be said.\n", message, help_of));
+  print_error(fmt::format("rtlang: {}\nSee `rtlang {}--help`.\n", message, help_of));
   return exit_usage;
 }
 
@@ -49,16 +49,16 @@ std::string about_extras(const std::vector<std::string>& extras, const CLI::App&
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
       for (const std::string& word : option->get_lnames()) names.push_back("--" + word);
-    return fmt::format("there is no option `{}`{}", name, did_you_mean(name, names));
+    return fmt::format("unknown option `{}`{}", name, did_you_mean(name, names));
   }
   // The first word may have been meant as a command.
   std::vector<std::string> names;
   for (const Subcommand& subcommand : subcommands()) names.emplace_back(subcommand.name);
   if (find_subcommand(first) == nullptr && !std::filesystem::exists(first)) {
     if (const std::string hint = did_you_mean(first, names); !hint.empty())
-      return fmt::format("there is no command `{}`{}", first, hint);
+      return fmt::format("unknown command `{}`{}", first, hint);
   }
-  return fmt::format("`{}` is one argument too many", extras.front());
+  return fmt::format("unexpected argument `{}`", extras.front());
 }
 
 /// CLI11 puts a colon between an option and what our checks say of it, and has its own way to miss a value.
@@ -71,7 +71,7 @@ std::string as_sentence(const std::string& message) {
 int run_subcommand(const Subcommand& subcommand, std::vector<std::string> arguments, const std::string& first) {
   const std::string name_given = first == subcommand.name ? first + ' ' : "";
   CLI::App app;
-  app.set_help_flag("-h,--help", "prints this");
+  app.set_help_flag("-h,--help", "prints this help");
   const Action action = subcommand.declare(app);
   join_optional_values(arguments);
   try {
@@ -119,7 +119,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const Interrupted&) {
     return exit_signal_base + stop_signal();
   } catch (const std::bad_alloc&) {
-    print_error("rtlang: there is not enough memory\n");
+    print_error("rtlang: out of memory\n");
   } catch (const std::system_error& error) {
     // A file that is a pipe was waited for.
     if (error.code() == std::errc::interrupted && stop_signal() != 0) return exit_signal_base + stop_signal();

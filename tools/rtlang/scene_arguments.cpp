@@ -72,11 +72,11 @@ void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std:
 
 std::shared_ptr<SceneArguments> add_text_arguments(CLI::App& app) {
   auto arguments = std::make_shared<SceneArguments>();
-  app.add_option("SCENE", arguments->path, "the scene's file, - for standard input")->required()->group("Arguments");
+  app.add_option("SCENE", arguments->path, "the scene file, - for standard input")->required()->group("Arguments");
   app.add_option_function<std::string>(
          "--diagnostics",
          [arguments = arguments.get()](const std::string& form) { arguments->json_diagnostics = form == "json"; },
-         "how mistakes are told: text or json")
+         "format of diagnostics: text or json")
       ->type_name("FORM")
       ->check(one_of({"text", "json"}));
   return arguments;
@@ -86,23 +86,23 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
   auto arguments = add_text_arguments(app);
   lang::LoadOptions& options = arguments->options;
   options.stop = &stop_flag();
-  app.add_option("-D", arguments->defines, "sets a `param` of the scene; can be repeated")
+  app.add_option("-D", arguments->defines, "sets a `param` of the scene (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("-q,--quiet", arguments->is_quiet, "tells only errors and warnings");
-  app.add_option("--include-root", options.include_roots, "a further folder to include from")
+  app.add_flag("-q,--quiet", arguments->is_quiet, "reports only errors and warnings");
+  app.add_option("--include-root", options.include_roots, "another folder that includes may read from")
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->group(further_options);
   const lang::Limits defaults;
   add_limit(app, "--max-steps", "N", options.limits.steps, 1000,
-            fmt::format("steps that evaluation may take ({})", human(static_cast<double>(defaults.steps))));
+            fmt::format("limit on evaluation steps ({})", human(static_cast<double>(defaults.steps))));
   add_limit(app, "--max-recursion", "N", options.limits.recursion, 1000,
-            fmt::format("calls within calls ({})", defaults.recursion));
+            fmt::format("limit on nested calls ({})", defaults.recursion));
   add_limit(app, "--max-objects", "N", options.limits.objects, 1000,
-            fmt::format("objects of the scene ({})", human(static_cast<double>(defaults.objects))));
+            fmt::format("limit on the number of objects ({})", human(static_cast<double>(defaults.objects))));
   add_limit(app, "--max-memory", "SIZE", options.limits.memory_bytes, 1024,
-            fmt::format("memory for loading the scene ({}G)", defaults.memory_bytes >> 30));
+            fmt::format("limit on memory while loading ({}G)", defaults.memory_bytes >> 30));
   return arguments;
 }
 
@@ -152,9 +152,9 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
         ->type_name(type)
         ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
   };
-  add("--size", "size", "WxH", "width and height, in place of the scene's");
-  add("--samples", "samples", "N", "rays for each pixel, a square number");
-  add("--max-depth", "max_depth", "N", "how often a ray may be mirrored or refracted");
+  add("--size", "size", "WxH", "overrides the scene's width and height");
+  add("--samples", "samples", "N", "rays per pixel, a square number");
+  add("--max-depth", "max_depth", "N", "maximum number of reflections and refractions in a row");
   return settings;
 }
 

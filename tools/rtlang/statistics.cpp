@@ -50,9 +50,9 @@ std::uint64_t count_rays(const RenderStatistics& s) {
 
 std::string summary(const RunStatistics& s) {
   return fmt::format("{}: {}×{}{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
-                     s.height, s.is_complete ? "" : ", stopped before it was whole",
-                     counted(s.render.primitives, "primitive"), human(static_cast<double>(count_rays(s.render))),
-                     seconds(s.render.trace_seconds), human(rays_per_second(s.render)), seconds(s.total_seconds));
+                     s.height, s.is_complete ? "" : ", incomplete", counted(s.render.primitives, "primitive"),
+                     human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
+                     human(rays_per_second(s.render)), seconds(s.total_seconds));
 }
 
 std::string table(const RunStatistics& s) {
@@ -64,9 +64,8 @@ std::string table(const RunStatistics& s) {
     text += fmt::format("{:<12}{}\n", name, value);
   };
   row("scene", fmt::format("{} (hash {}), {}", s.scene, s.scene_hash, counted(r.primitives, "primitive")));
-  row("picture",
-      fmt::format("{}×{}{}, {} a pixel: {}", s.width, s.height, s.is_complete ? "" : " (stopped before it was whole)",
-                  counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
+  row("picture", fmt::format("{}×{}{}, {} per pixel: {}", s.width, s.height, s.is_complete ? "" : " (incomplete)",
+                             counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
   row("rays",
       fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
                   count(r.rays.camera), count(r.rays.shadow), count(r.rays.reflected), count(r.rays.refracted)));
@@ -79,7 +78,7 @@ std::string table(const RunStatistics& s) {
   row("write", seconds(s.write_seconds));
   row("total", fmt::format("{} (CPU: {} user, {} system)", seconds(s.total_seconds), seconds(own.user_seconds),
                            seconds(own.system_seconds)));
-  row("memory", bytes(own.peak_bytes) + " at the most");
+  row("memory", bytes(own.peak_bytes) + " at its peak");
   return text;
 }
 

@@ -5,23 +5,22 @@ namespace rt::tools {
 
 std::span<const Subcommand> subcommands() {
   static constexpr Subcommand table[] = {
-      {"render", "SCENE [-o PICTURE]... [OPTIONS]", "makes a picture (the command's name may be left out)",
+      {"render", "SCENE [-o PICTURE]... [OPTIONS]", "renders a picture (the command name may be omitted)",
        declare_render},
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
-      {"scene", "SCENE [OPTIONS]", "prints the scene's description as JSON", declare_scene},
-      {"export", "SCENE [-o FILE] [OPTIONS]", "writes the scene for POV-Ray 3.7", declare_export},
+      {"scene", "SCENE [OPTIONS]", "prints the scene description as JSON", declare_scene},
+      {"export", "SCENE [-o FILE] [OPTIONS]", "exports the scene to POV-Ray 3.7", declare_export},
       {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
-      {"diff", "A B [-o PICTURE] [OPTIONS]", "measures how far two pictures are apart", declare_diff},
-      {"probe", "SCENE --pixel X,Y [OPTIONS]", "tells what a ray meets: object, distance, normal, material",
+      {"diff", "A B [-o PICTURE] [OPTIONS]", "measures the difference between two pictures", declare_diff},
+      {"probe", "SCENE --pixel X,Y [OPTIONS]", "shows what a ray hits: object, distance, normal, material",
        declare_probe},
-      {"why", "SCENE --pixel X,Y [OPTIONS]", "tells why it has its colour: rays, roots, terms, one sentence",
-       declare_why},
-      {"lint", "SCENE [OPTIONS]", "warns of what is well formed and hardly meant", declare_lint},
-      {"test", "SCENES... [OPTIONS]", "tries what the scenes expect of themselves", declare_test},
-      {"fmt", "FILES... [--check]", "rewrites scenes in the house's layout", declare_fmt},
+      {"why", "SCENE --pixel X,Y [OPTIONS]", "explains a pixel's colour: rays, roots, shading terms", declare_why},
+      {"lint", "SCENE [OPTIONS]", "warns about likely mistakes in a valid scene", declare_lint},
+      {"test", "SCENES... [OPTIONS]", "checks the `expect` statements of scenes", declare_test},
+      {"fmt", "FILES... [--check]", "formats scenes in the standard style", declare_fmt},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},
-      {"repl", "[SCENE] [--keep-going]", "builds a scene line by line (what runs without any arguments)", declare_repl},
-      {"explain", "[CODE]", "explains an error's code, or lists all codes", declare_explain},
+      {"repl", "[SCENE] [--keep-going]", "builds a scene interactively (the default without arguments)", declare_repl},
+      {"explain", "[CODE]", "explains an error code, or lists all of them", declare_explain},
   };
   return table;
 }

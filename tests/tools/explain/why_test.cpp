@@ -4,7 +4,6 @@
 #include "tests/paths.hpp"
 #include "tests/support/program.hpp"
 #include "tools/explain/why.hpp"
-#include "tools/terminal/exit_code.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -201,7 +200,7 @@ TEST_CASE("why: squares by their edges, polygons by counting crossings, discs by
   CHECK(derivation_of(*ring)["quantities"]["distance"] == 1.5);
 }
 
-TEST_CASE("why: a difference is told as stretches of the line, and a cut surface faces the other way") {
+TEST_CASE("why: a difference is shown as intervals of the line, and a cut surface faces the other way") {
   // A box from z = −1 to 1 less a ball of radius 0.5 about (0, 0, 1): from z = 5 down, the box is [4, 6], the ball
   // [3.5, 4.5].
   const auto asked = along("box { size: 2 } - sphere { radius: 0.5, at: [0, 0, 1] }", {0, 0, 5}, {0, 0, -1});
@@ -211,7 +210,7 @@ TEST_CASE("why: a difference is told as stretches of the line, and a cut surface
   CHECK(c["operands"][1]["inside"] == json::array({json({3.5, 4.5})}));
   CHECK(c["inside"] == json::array({json({4.5, 6.0})}));
   CHECK(surface_of(*asked)["t"] == 4.5);
-  CHECK(contains(text_of(*asked), "which is taken away: its normal is turned round"));
+  CHECK(contains(text_of(*asked), "which is subtracted: its normal is flipped"));
   CHECK(contains(text_of(*asked), "t₁ is no surface of the combination, so t₂ is taken"));
 }
 
@@ -286,12 +285,12 @@ TEST_CASE("why: it ends in a plain sentence") {
         "black because sphere (line 3) lies outside the cone of spot (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0.01\nsphere {}") == "dark because there is no light, and there is little ambient light");
   CHECK(sentence_of("ambient: 0\nlight { at: [0, 0, 1] }\nsphere {}") ==
-        "black because light (line 2) stands in the very point that is seen and does not light it, and ambient is 0");
+        "black because light (line 2) is at the very point that is seen and does not light it, and ambient is 0");
   CHECK(sentence_of(lit + "sphere { material: black }") == "black because the color of sphere (line 3) is black");
   CHECK(sentence_of(lit + "sphere { material: material { color: #333, specular: 0.9 } }")
             .starts_with("bright because sphere (line 3) shows the highlight of sun (line 1) here"));
   CHECK(sentence_of("ambient: 0\nsphere { material: material { emission: 0.9 } }") ==
-        "sphere (line 2) glows by itself: emission gives 100 %");
+        "sphere (line 2) emits light: emission gives 100 %");
   CHECK(sentence_of("background: #fff\nambient: 0\nsphere { material: material { reflect: 0.9 } }") ==
         "100 % of the light comes from the background, mirrored in sphere (line 3)");
   CHECK(sentence_of("background: #fff\nambient: 0\nsphere { material: material { refract: 0.9, ior: 1.5 } }") ==
@@ -303,9 +302,9 @@ TEST_CASE("why: it ends in a plain sentence") {
   // background.
   const std::string blue = "ambient: 1\nplane { z: -5, material: #00f }\n";
   CHECK(sentence_of(blue + "box { material: material { color: #f00, refract: 1 } }") ==
-        "black because it is seen through box (line 3), and little of the light of plane (line 2) gets by");
+        "black because it is seen through box (line 3), and little of the light of plane (line 2) gets through");
   CHECK(sentence_of(blue + "box { material: material { color: #f00, refract: 1, ior: 1.5 } }") ==
-        "black because it is seen through box (line 3), but little of the light from there gets by");
+        "black because it is seen through box (line 3), but little of the light from there gets through");
   CHECK(
       sentence_of(
           "background: #fff\nambient: 0\nsphere { material: material { color: #fff, diffuse: 0.5, reflect: 0.04 } }") ==
@@ -317,7 +316,7 @@ TEST_CASE("why: it ends in a plain sentence") {
         "4) mirrors, and the ray ends at max_depth 3");
 }
 
-TEST_CASE("why: --depth tells deeper rays in a line, and the sum stays whole") {
+TEST_CASE("why: --depth sums up deeper rays in a line, and the sum stays whole") {
   const auto asked =
       along("background: #fff\nsphere { material: material { refract: 0.9, ior: 1.5 } }", {0, 0.3, 5}, {0, 0, -1});
   const json shallow = explain::why_json(asked->answer, 0)["tree"];

@@ -72,17 +72,17 @@ void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_v
     }
     const explain::Derivation derivation = explain::derivation_of(answer, s);
     CHECK(derivation.disagreement < 1e-5); // the rest is what plain formulas lose by cancellation
-    if (const auto stretches = explain::stretches_of(answer, s)) {
+    if (const auto intervals = explain::intervals_of(answer, s)) {
       const bool is_end =
-          std::any_of(stretches->inside.begin(), stretches->inside.end(), [&](const explain::Stretch& stretch) {
-            return std::abs(stretch.enter - s.hit.t) <= 1e-9 * (1 + s.hit.t) ||
-                   std::abs(stretch.leave - s.hit.t) <= 1e-9 * (1 + s.hit.t);
+          std::any_of(intervals->inside.begin(), intervals->inside.end(), [&](const explain::LineInterval& interval) {
+            return std::abs(interval.enter - s.hit.t) <= 1e-9 * (1 + s.hit.t) ||
+                   std::abs(interval.leave - s.hit.t) <= 1e-9 * (1 + s.hit.t);
           });
       CHECK(is_end);
     }
   });
   const std::string text = explain::why_text(answer, 2);
-  CHECK(text.find("what the tracer has") != std::string::npos);
+  CHECK(text.find("as the renderer has it") != std::string::npos);
 }
 
 } // namespace
@@ -102,7 +102,7 @@ TEST_CASE("why: over random pixels of every example the terms sum to the radianc
   }
 }
 
-TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, one sample or several") {
+TEST_CASE("why: the pixel it explains is the picture's, with packets of rays, one sample or several") {
   for (const char* name : {"still_life", "nested_glass", "whitted"}) {
     auto loaded = lang::load_file(std::string(RTLANG_SOURCE_DIR "/examples/") + name + ".rtl", {});
     REQUIRE(loaded.scene);
@@ -129,7 +129,7 @@ TEST_CASE("why: the pixel it tells of is the picture's, with packets of rays, on
   }
 }
 
-TEST_CASE("why: what is too much to tell is summed up, and the sum is still whole") {
+TEST_CASE("why: what is too much to show is summed up, and the sum is still whole") {
   auto loaded = lang::load_file(RTLANG_SOURCE_DIR "/examples/nested_glass.rtl", {});
   REQUIRE(loaded.scene);
   const RayQuery query(*loaded.scene, 1);
@@ -139,10 +139,10 @@ TEST_CASE("why: what is too much to tell is summed up, and the sum is still whol
   CHECK(part->radiance == whole->radiance);
   CHECK(gap(sum.total, whole->radiance) <= 1e-12);
   CHECK(std::any_of(sum.terms.begin(), sum.terms.end(),
-                    [](const explain::Contribution& t) { return t.kind == explain::Contribution::Kind::untold; }));
-  std::size_t told = 0;
-  for_each_surface(*part, [&](const explain::SurfaceNode&) { ++told; });
-  CHECK(told == 3);
+                    [](const explain::Contribution& t) { return t.kind == explain::Contribution::Kind::unexpanded; }));
+  std::size_t expanded = 0;
+  for_each_surface(*part, [&](const explain::SurfaceNode&) { ++expanded; });
+  CHECK(expanded == 3);
 }
 
 TEST_CASE("why: every sample of a pixel can be asked about, and their mean is the pixel") {

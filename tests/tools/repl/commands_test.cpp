@@ -8,5 +8,5 @@ TEST_CASE("commands: unambiguous beginnings suffice") {
   CHECK(choose_command("hist", commands).command->name == "history");
   CHECK(choose_command("q", commands).command->name == "quit");
   CHECK(choose_command("re", commands).problem == "`:re` could be :render, :remove, :redo, :reset, :recover");
-  CHECK(choose_command("sohw", commands).problem == "there is no command `:sohw`; did you mean `:show`?");
+  CHECK(choose_command("sohw", commands).problem == "unknown command `:sohw`; did you mean `:show`?");
 }

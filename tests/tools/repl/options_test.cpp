@@ -24,7 +24,7 @@ TEST_CASE("options of a command: what is wrong with them is said") {
   std::vector<CommandOption> options = picture_options(settings);
   options.push_back({"depth", &depth});
   const auto problem = [&](std::vector<std::string> words) { return take_options(words, options); };
-  CHECK(problem({"--sizes", "3x3"}) == "there is no option `--sizes`; did you mean `--size`?");
+  CHECK(problem({"--sizes", "3x3"}) == "unknown option `--sizes`; did you mean `--size`?");
   CHECK(problem({"--size"}) == "--size takes a value");
   CHECK(problem({"--size", "3"}) == "--size takes width and height, as in 800x600, not `3`");
   CHECK(problem({"--max-depth", "2"}) == "");

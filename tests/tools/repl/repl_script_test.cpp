@@ -115,7 +115,7 @@ TEST_CASE("session as a script: pictures are characters") {
   CHECK(outcome.output.size() > 500);
 }
 
-TEST_CASE("session as a script: what cannot be read or written is told") {
+TEST_CASE("session as a script: what cannot be read or written is reported") {
   const TestFolder folder;
   CHECK(session(folder, ":load nothing.rtl\n").errors.find("nothing.rtl") != std::string::npos);
   CHECK(session(folder, "sphere {}\n:save no/such/folder.rtl\n").exit_code == 1);

@@ -5,7 +5,7 @@
 using namespace rt;
 using rt::tools::progress_line;
 
-TEST_CASE("progress: the line tells share, speed and the time that is left") {
+TEST_CASE("progress: the line shows share, speed and the time that is left") {
   CHECK(progress_line({}) == "[..............................]   0 %");
   // A quarter took 10 s: three more quarters take 30 s.
   CHECK(progress_line({.fraction = 0.25, .rays = 25'000'000, .seconds = 10}) ==

@@ -87,8 +87,8 @@ void find_emptiness(const scene::Scene& scene, const lang::SourceMap& sources, F
   const Line camera = line_of(scene.camera_origin);
   if (camera.number == 0 || has_expectations(sources)) return;
   lang::Diagnostic& d = findings.warn("W0203", camera, "nothing is in view");
-  d.label = "the scene has no things to look at";
-  d.notes.push_back({std::nullopt, "write a thing on a line of its own, as in `sphere {}`"});
+  d.label = "the scene has nothing to look at";
+  d.notes.push_back({std::nullopt, "place a thing on a line of its own, as in `sphere {}`"});
 }
 
 void find_all(const scene::Scene& scene, const LintOptions& options, Findings& findings) {

@@ -31,9 +31,9 @@ void find_eye_inside(LintContext& context) {
     const Line camera = line_of(context.scene.camera_origin), solid = line_of(around.objects.front()->origin);
     const std::string name = context.findings.name(*around.objects.front());
     if (around.is_transparent) {
-      lang::Diagnostic& d = context.findings.warn("W0201", camera, fmt::format("the camera is inside of {}", name));
+      lang::Diagnostic& d = context.findings.warn("W0201", camera, fmt::format("the camera is inside {}", name));
       d.label = "everything is seen through its surface";
-      d.notes.push_back(context.findings.note(solid, "this transparent solid is around the camera"));
+      d.notes.push_back(context.findings.note(solid, "this transparent solid surrounds the camera"));
       continue;
     }
     const bool is_all_there_is =
@@ -48,9 +48,9 @@ void find_eye_inside(LintContext& context) {
     if (!is_all_there_is || holds_a_light()) continue; // a room
     context.is_eye_shut_in = true;
     lang::Diagnostic& d =
-        context.findings.warn("W0201", camera, fmt::format("the camera is inside of {}, and sees nothing else", name));
-    d.label = "every ray meets its inner side";
-    d.notes.push_back(context.findings.note(solid, "this opaque solid is around the camera"));
+        context.findings.warn("W0201", camera, fmt::format("the camera is inside {} and sees nothing else", name));
+    d.label = "every ray hits its inside";
+    d.notes.push_back(context.findings.note(solid, "this opaque solid surrounds the camera"));
     d.notes.push_back({std::nullopt, "move the camera out of it"});
   }
 }
@@ -61,7 +61,7 @@ void find_lights_inside(LintContext& context) {
   const auto is_around_eye = [&](const Around& around) {
     return std::ranges::any_of(context.around_eye, [&](const Around& a) { return a.order == around.order; });
   };
-  std::set<std::pair<Line, Line>> told;
+  std::set<std::pair<Line, Line>> reported;
   for (std::size_t i = 0; i < std::min(lights.size(), most_lights); ++i) {
     if (lights[i].kind == Light::Kind::sun || !lights[i].shadows) continue;
     for (const Around& around : solids_around(context, lights[i].at)) {
@@ -69,14 +69,14 @@ void find_lights_inside(LintContext& context) {
       const scene::Light& light = context.scene.lights[i];
       const Line place = line_of(light.origin), solid = line_of(thing_of(around.objects).origin);
       context.shut_in_lights.insert(place);
-      if (!told.emplace(place, solid).second) continue;
+      if (!reported.emplace(place, solid).second) continue;
       const std::string name = Findings::subject(name_of(context.scene, light), 1);
       lang::Diagnostic& d = context.findings.warn(
           "W0202", place,
-          fmt::format("{} is inside of {}, which is opaque", name, context.findings.name(thing_of(around.objects))));
-      d.label = "no light comes out";
+          fmt::format("{} is inside {}, which is opaque", name, context.findings.name(thing_of(around.objects))));
+      d.label = "no light gets out";
       d.notes.push_back(context.findings.note(
-          solid, "this solid is around it: write `casts_shadow: false` there, or move one of them"));
+          solid, "this solid surrounds it: add `casts_shadow: false` there, or move one of them"));
     }
   }
 }
@@ -89,7 +89,7 @@ std::string smallness(const Affine& map) {
   if (largest < least) return fmt::format("it is {:.3g} times as large as it was written", largest);
   if (smallest < least * largest) return fmt::format("its thickness is {:.3g} times what it was written", smallest);
   const double slant = std::abs(map.determinant()) / (x * y * z);
-  if (slant < least * least) return "its sides fall together";
+  if (slant < least * least) return "its sides coincide";
   return {};
 }
 
@@ -157,7 +157,7 @@ void find_small_scales(LintContext& context) {
         context.findings.warn("W0209", line, fmt::format("the transform leaves almost nothing of {}", subject));
     d.label = problems[static_cast<std::size_t>(small.first->transform)];
     d.notes.push_back(
-        {std::nullopt, "look for a wrong unit or a 0 too many; what is meant to be flat can be a `disc` or a `quad`"});
+        {std::nullopt, "check for a wrong unit or an extra 0; what is meant to be flat can be a `disc` or a `quad`"});
   }
 }
 

@@ -98,7 +98,7 @@ inline bool is_stopped(const LintOptions& options) {
   return options.stop && *options.stop;
 }
 
-/// Calls work(row, worker) for each row, from as many threads as the options say; `workers_of` tells how many. Rows are
+/// Calls work(row, worker) for each row, from as many threads as the options say; `workers_of` says how many. Rows are
 /// left out once it is stopped.
 int workers_of(const LintOptions& options);
 void for_each_row(const LintOptions& options, int rows, const std::function<void(int row, int worker)>& work);
@@ -112,8 +112,8 @@ struct LintContext {
   LintSurvey survey;
   std::vector<Around> around_eye;
   Findings& findings;
-  bool is_eye_shut_in = false;   ///< told: darkness follows from it
-  std::set<Line> shut_in_lights; ///< told: that they reach nothing follows from it
+  bool is_eye_shut_in = false;   ///< reported: darkness follows from it
+  std::set<Line> shut_in_lights; ///< reported: that they reach nothing follows from it
 };
 
 inline constexpr std::uint64_t most_pixels = 600'000;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint64_t least_evidence = 3; // pixels that show a thing, before it is said of lines
 
-/// A stretch of a ray within a transparent solid.
-struct Stretch {
+/// A interval of a ray within a transparent solid.
+struct LineInterval {
   double begin, end;
   const HitReport* hit; ///< where it is entered or left
 };
@@ -24,8 +24,8 @@ bool uses_media(const scene::Scene& scene) {
 }
 
 /// Of the transparent solids up to the first opaque surface.
-std::vector<Stretch> stretches(const LintContext& context, const std::vector<HitReport>& hits) {
-  std::vector<Stretch> found;
+std::vector<LineInterval> intervals(const LintContext& context, const std::vector<HitReport>& hits) {
+  std::vector<LineInterval> found;
   std::map<std::uint64_t, const HitReport*> entered;
   for (const HitReport& hit : hits) {
     if (hit.material.refract == 0) break;
@@ -59,17 +59,16 @@ Line most_common(const std::map<Line, std::uint64_t>& counts) {
 
 /// Why a light gives nothing, and what to do.
 std::pair<std::string, std::string> darkness(const LintContext& context, const Light& light, const LightTally& tally) {
-  if (light.color == black) return {"its `color` or `intensity` is 0", "give it some, or take it out"};
+  if (light.color == black) return {"its `color` or `intensity` is 0", "raise it, or remove the light"};
   if (tally.blocked > 0 && tally.blocked >= tally.averted) {
     const Line line = most_common(tally.blockers);
     const std::string where = context.findings.place(line);
-    return {where.empty() ? "something opaque is always in the way"
-                          : fmt::format("what {} places is in the way of it", where),
-            "move one of them, or write `casts_shadow: false` where the shadow is not wanted"};
+    return {where.empty() ? "something opaque always blocks it" : fmt::format("what {} places blocks it", where),
+            "move one of them, or write `casts_shadow: false` where no shadow is wanted"};
   }
   if (light.kind == Light::Kind::spot && tally.dark > 0 && tally.averted <= tally.dark)
-    return {"nothing that is seen lies within its cone", "look at its `look_at` and `angle`"};
-  return {"all that is seen faces the other way", "it shines from behind: move it to the side that the camera sees"};
+    return {"nothing visible is within its cone", "check its `look_at` and `angle`"};
+  return {"everything visible faces away from it", "it shines from behind: move it to the camera's side"};
 }
 
 } // namespace
@@ -77,12 +76,13 @@ std::pair<std::string, std::string> darkness(const LintContext& context, const L
 void find_coincidences(LintContext& context) {
   for (const auto& [lines, c] : context.survey.coincidences) {
     if (c.count < least_evidence) continue;
-    lang::Diagnostic& d = context.findings.warn("W0205", lines.second,
-                                                fmt::format("{} and {} have a surface in common", c.second, c.first));
+    lang::Diagnostic& d =
+        context.findings.warn("W0205", lines.second, fmt::format("{} and {} share a surface", c.second, c.first));
     d.label = c.is_through ? "rays through one of them miss the other, pixel by pixel"
-                           : "which of the two is seen is left to rounding";
+                           : "rounding decides which of the two is seen";
     if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
-    d.notes.push_back({std::nullopt, "move one of them by a little, such as 0.001, or make one solid of both"});
+    d.notes.push_back(
+        {std::nullopt, "move one of them slightly, for example by 0.001, or combine them into one solid"});
   }
 }
 
@@ -95,9 +95,9 @@ void find_overlaps(LintContext& context) {
     for (double x = step / 2; x < width; x += step) {
       const auto hits = context.query.all_hits(context.query.camera().ray(std::floor(x) + 0.5, std::floor(y) + 0.5));
       if (hits.size() < 4) continue;
-      const auto inside = stretches(context, hits);
-      for (const Stretch& a : inside) {
-        for (const Stretch& b : inside) {
+      const auto inside = intervals(context, hits);
+      for (const LineInterval& a : inside) {
+        for (const LineInterval& b : inside) {
           const double slack = 1e-6 * (1 + std::abs(b.end));
           const bool is_crossed = a.begin + slack < b.begin && b.begin + slack < a.end && a.end + slack < b.end;
           if (a.hit->order == b.hit->order || !is_crossed || (a.hit->ior == 1 && b.hit->ior == 1)) continue;
@@ -117,10 +117,10 @@ void find_overlaps(LintContext& context) {
     lang::Diagnostic& d = context.findings.warn(
         "W0208", lines.second,
         fmt::format("{} and {} overlap, and both are transparent", overlap.second, overlap.first));
-    d.label = "which of them light is in there is not clear";
+    d.label = "it is ambiguous which medium light is in there";
     if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
-    d.notes.push_back({std::nullopt, "make one solid of them with `a | b`, cut one out of the other with `b - a`, or "
-                                     "put one wholly into the other"});
+    d.notes.push_back({std::nullopt, "combine them with `a | b`, cut one out of the other with `b - a`, or "
+                                     "put one entirely inside the other"});
   }
 }
 
@@ -148,7 +148,7 @@ void find_dark_lights(LintContext& context) {
     // Of a row of lights some may look elsewhere.
     if (lit.contains(line) || context.shut_in_lights.contains(line)) continue;
     const std::string name = Findings::subject(name_of(context.scene, context.scene.lights[dark.first]), dark.count);
-    lang::Diagnostic& d = context.findings.warn("W0301", line, fmt::format("{} reaches nothing that is seen", name));
+    lang::Diagnostic& d = context.findings.warn("W0301", line, fmt::format("{} reaches nothing visible", name));
     auto [why, advice] = darkness(context, lights[dark.first], closer.lights[dark.first]);
     d.label = std::move(why);
     d.notes.push_back({std::nullopt, std::move(advice)});
@@ -159,24 +159,22 @@ void find_exposure(LintContext& context) {
   const LintSurvey& s = context.survey;
   if (s.surfaces == 0 || context.is_eye_shut_in) return;
   if (s.black == s.surfaces) {
-    lang::Diagnostic& d = context.findings.warn("W0302", {}, "all that is seen is black");
+    lang::Diagnostic& d = context.findings.warn("W0302", {}, "everything visible is black");
     const bool has_light = !context.scene.lights.empty(), has_ambient = context.scene.ambient != black;
     const std::string lights = has_light ? "no light reaches it" : "there is no light";
     d.notes.push_back(
-        {std::nullopt, has_ambient
-                           ? fmt::format("{}, and its materials give back nothing of the `ambient` light", lights)
-                           : fmt::format("{}, and `ambient` is 0", lights)});
-    d.notes.push_back({std::nullopt, has_light ? "`rtlang why` shows for a pixel what is in the way"
+        {std::nullopt, has_ambient ? fmt::format("{}, and its materials reflect none of the `ambient` light", lights)
+                                   : fmt::format("{}, and `ambient` is 0", lights)});
+    d.notes.push_back({std::nullopt, has_light ? "`rtlang why` shows what blocks the light of a pixel"
                                                : "add a `sun {}` or a `light { at: … }`"});
     return;
   }
   if (2 * s.clipped <= s.surfaces) return;
   lang::Diagnostic& d = context.findings.warn(
       "W0303", {},
-      fmt::format("{} of what is seen is brighter than the picture can show", percent(s.clipped, s.surfaces)));
+      fmt::format("{} of what is visible is brighter than the picture can show", percent(s.clipped, s.surfaces)));
   d.notes.push_back(
-      {std::nullopt,
-       "lower the `intensity` of the lights or `ambient`: above 1 there is only white, and colours shift"});
+      {std::nullopt, "lower the `intensity` of the lights or `ambient`: channels are clipped at 1, and colours shift"});
 }
 
 void find_cut_off_rays(LintContext& context) {

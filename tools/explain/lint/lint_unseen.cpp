@@ -101,13 +101,13 @@ private:
         return is_within && wall.side(leaf.box.center()) * eye < 0; // what lies flat in the plane is not behind it
       });
       if (!is_behind) continue;
-      lang::Diagnostic& d = context_.findings.warn(
-          "W0207", line,
-          fmt::format("{} is hidden: it lies wholly behind {}", things(unseen), context_.findings.name(*wall.object)));
+      lang::Diagnostic& d = context_.findings.warn("W0207", line,
+                                                   fmt::format("{} is hidden: it lies entirely behind {}",
+                                                               things(unseen), context_.findings.name(*wall.object)));
       d.label = "no ray of the picture can reach it";
       d.notes.push_back(
           context_.findings.note(line_of(wall.object->origin),
-                                 "an infinite plane parts it from the camera: one of them is on the wrong side"));
+                                 "an infinite plane separates it from the camera: one of them is on the wrong side"));
       return true;
     }
     return false;
@@ -117,7 +117,7 @@ private:
     lang::Diagnostic& d = context_.findings.warn(
         "W0206", line, fmt::format("{} is smaller than a pixel, and no pixel shows it", things(unseen)));
     d.label = fmt::format("at most {:.2g} pixels across", unseen.largest);
-    d.notes.push_back({std::nullopt, "make it larger, go nearer, or raise `size` and `samples`"});
+    d.notes.push_back({std::nullopt, "enlarge it, move the camera closer, or raise `size` and `samples`"});
   }
 
   void tell_enclosed(Line line, const Unseen& unseen) {
@@ -131,9 +131,9 @@ private:
     const scene::Object& hull = thing_of(first->objects);
     lang::Diagnostic& d = context_.findings.warn(
         "W0207", line,
-        fmt::format("{} is hidden: it lies wholly inside of {}", things(unseen), context_.findings.name(hull)));
+        fmt::format("{} is hidden: it lies entirely inside {}", things(unseen), context_.findings.name(hull)));
     d.label = "no ray of the picture can reach it";
-    d.notes.push_back(context_.findings.note(line_of(hull.origin), "this opaque solid is around it"));
+    d.notes.push_back(context_.findings.note(line_of(hull.origin), "this opaque solid surrounds it"));
   }
 
   // The same for the same key.
@@ -164,7 +164,7 @@ private:
     return candidates.begin()->second;
   }
 
-  /// The opaque solids that hold the whole stretch of the line that is in the leaf; nothing where the line misses it.
+  /// The opaque solids that hold the whole interval of the line that is in the leaf; nothing where the line misses it.
   /// The eye is in none of them.
   std::optional<std::map<std::uint64_t, Around>> intervals_around(const LintLeaf& leaf, const Ray& ray) const {
     // A solid around the leaf may be much larger: look from far enough back to see where it is entered.

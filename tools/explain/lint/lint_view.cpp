@@ -173,7 +173,7 @@ void find_empty_view(LintContext& context) {
   const Box3 box = scene::finite_bounds(scene);
   if (box.is_empty()) {
     lang::Diagnostic& d = context.findings.warn("W0203", line, "nothing is in view");
-    d.notes.push_back({std::nullopt, "all there is is without end, and lies behind the camera or beside its view"});
+    d.notes.push_back({std::nullopt, "everything is infinite, and lies behind the camera or outside its view"});
     return;
   }
   const std::string middle = rounded(box.center());
@@ -182,25 +182,25 @@ void find_empty_view(LintContext& context) {
     lang::Diagnostic& d = context.findings.warn("W0204", line, "everything is behind the camera");
     d.label = fmt::format("it looks from {} at {}", rounded(scene.camera.at), rounded(scene.camera.look_at));
     d.notes.push_back(
-        {std::nullopt, fmt::format("the middle of all things is at {}: write `look_at: {}`", middle, middle)});
+        {std::nullopt, fmt::format("the centre of all things is at {}: write `look_at: {}`", middle, middle)});
     return;
   }
   lang::Diagnostic& d = context.findings.warn("W0203", line, "nothing is in view");
   const auto extent = projector.extent(box);
   if (extent && extent->width < 1 && extent->height < 1 && extent->is_in_view) {
-    d.label = "all there is is smaller than a pixel";
+    d.label = "everything is smaller than a pixel";
     d.notes.push_back(
         {std::nullopt,
-         fmt::format("the camera is {:.3g} away from it, and it is {:.3g} across: go nearer, or make `fov` smaller",
+         fmt::format("the camera is {:.3g} away from it, and it is {:.3g} across: move closer, or reduce `fov`",
                      length(box.center() - scene.camera.at), length(box.extent()))});
     return;
   }
   const auto [right, up] = projector.angles(box.center());
   if (std::hypot(right, up) < 1) {
-    d.label = "rays through every pixel pass beside all there is";
+    d.label = "the rays through all pixels miss everything";
     return;
   }
-  d.label = fmt::format("the middle of all things is {} of the view's middle", direction(right, up));
+  d.label = fmt::format("the centre of all things is {} from the view's centre", direction(right, up));
   d.notes.push_back({std::nullopt, fmt::format("write `look_at: {}`", middle)});
 }
 

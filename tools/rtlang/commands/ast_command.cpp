@@ -25,8 +25,7 @@ int run_ast(const SceneArguments& arguments) {
 
 Action declare_ast(CLI::App& app) {
   auto arguments = add_text_arguments(app);
-  app.footer(
-      "The tree is printed even where the syntax is wrong: such places are error nodes, and the exit code is 1.");
+  app.footer("The tree is printed even if there are syntax errors: they become error nodes, and the exit code is 1.");
   return [arguments] { return run_ast(*arguments); };
 }
 

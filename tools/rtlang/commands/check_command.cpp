@@ -53,25 +53,23 @@ int run_check(const Arguments& arguments) {
 
 Action declare_check(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("--report", arguments->html, "writes a page with pictures, maps of differences and the worst pixels")
+  app.add_option("--report", arguments->html, "writes a page with both pictures, difference maps and the worst pixels")
       ->type_name("FILE.html");
   app.add_flag("--json", arguments->is_json, "prints the result as JSON");
-  app.add_option("--gate", arguments->gates, "moves a bound; can be repeated")
+  app.add_option("--gate", arguments->gates, "changes a threshold (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--time-limit", arguments->time_limit, "seconds that each run of POV-Ray may take (600)")
+  app.add_option("--time-limit", arguments->time_limit, "time limit of each run of POV-Ray (600)")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("Renders with both rtlang and POV-Ray 3.7 and compares what each pixel's centre ray hits, how far away, "
-             "with which\n"
-             "normal, and the pixel's colour. The exit code is 0 if every gate holds, 1 if not, 3 if POV-Ray is not "
-             "installed.\n"
-             "Gates: ids, depth, depth_p999, normals, color, color_share, color_unexplained. A pixel of another colour "
-             "is explained\n"
-             "if it agrees once POV-Ray's own limits are taken over; no other may differ, and 99 % have to be equal as "
-             "they are.");
+  app.footer(
+      "Renders the scene with both rtlang and POV-Ray 3.7, and compares for each pixel the object that its centre ray "
+      "hits, the distance, the normal and the colour. The exit code is 0 if every gate holds, 1 if not, 3 if "
+      "POV-Ray is not installed. Gates: ids, depth, depth_p999, normals, color, color_share, color_unexplained. "
+      "A pixel of a different colour counts as explained if it agrees once traced with POV-Ray's own limits; "
+      "unexplained ones are not allowed, and 99 % of the pixels have to be equal.");
   return [arguments] { return run_check(*arguments); };
 }
 

@@ -125,18 +125,18 @@ Action declare_diff(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   app.add_option("A", arguments->a, "a picture: png, exr, ppm or pfm")->required()->group("");
   app.add_option("B", arguments->b, "another of the same size")->required()->group("");
-  app.add_option("-o,--output", arguments->heat, "writes a map of the differences, logarithmic from 1e-8 to 1")
+  app.add_option("-o,--output", arguments->heat, "writes a difference map, logarithmic from 1e-8 to 1")
       ->type_name("PICTURE");
-  app.add_option("--gate", arguments->gates, "what has to hold, in place of max=0; can be repeated")
+  app.add_option("--gate", arguments->gates, "a threshold, in place of max=0 (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("--linear", arguments->is_linear,
-               "whole numbers in a file that does not say what they mean are linear light, not sRGB");
+  app.add_flag("--linear", arguments->is_linear, "takes integer samples of untagged files as linear light, not sRGB");
   app.add_flag("--json", arguments->is_json, "prints the result as JSON");
   app.footer(
-      "The exit code is 0 if every gate holds, 1 if not. Gates: max, equal, equal_8bit, rmse, psnr, ssim; and objects, "
-      "depth,\n"
-      "normals where both pictures are exr files with layers. Measures \"as shown\" are of sRGB values from 0 to 1.");
+      "The exit code is 0 if every gate holds, 1 if not. Gates: max, equal, equal_8bit, rmse, psnr, ssim; also "
+      "objects, "
+      "depth and normals if both pictures are exr files with layers. Measures \"as shown\" are of sRGB values from 0 "
+      "to 1.");
   return [arguments] { return run_diff(*arguments); };
 }
 

@@ -62,8 +62,8 @@ int run_doc(const DocArguments& arguments) {
 
 Action declare_doc(CLI::App& app) {
   auto arguments = std::make_shared<DocArguments>();
-  app.add_option("NAME", arguments->name, "a thing, a function, a material")->group("Arguments");
-  app.add_option("--markdown", arguments->section, "print a section of the language reference")->type_name("SECTION");
+  app.add_option("NAME", arguments->name, "a thing, function or material")->group("Arguments");
+  app.add_option("--markdown", arguments->section, "prints a section of the language reference")->type_name("SECTION");
   return [arguments] { return run_doc(*arguments); };
 }
 

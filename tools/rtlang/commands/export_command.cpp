@@ -36,14 +36,13 @@ int run_export(const Arguments& arguments) {
 
 Action declare_export(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("-o,--output", arguments->output, "the file to write, standard output if none is given")
-      ->type_name("FILE");
-  app.add_flag("!--no-comments", arguments->has_comments, "without the scene's names and lines");
+  app.add_option("-o,--output", arguments->output, "output file (standard output if omitted)")->type_name("FILE");
+  app.add_flag("!--no-comments", arguments->has_comments, "omits the comments with names and lines");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("Writes the scene for POV-Ray 3.7, which computes the same picture from it. Nothing is written, and the "
-             "exit code\n"
-             "is 1, if the scene has something that POV-Ray cannot compute exactly; it is named.");
+  app.footer(
+      "POV-Ray 3.7 renders the same picture from it. If the scene has something that POV-Ray cannot compute exactly, "
+      "that is reported, nothing is written, and the exit code is 1.");
   return [arguments] { return run_export(*arguments); };
 }
 

@@ -82,11 +82,12 @@ Action declare_fmt(CLI::App& app) {
   app.add_flag("--check", arguments->only_checks, "writes nothing; lists the files that would change");
   arguments->scene = add_text_arguments(app);
   app.remove_option(app.get_option("SCENE"));
-  app.add_option("FILES", arguments->paths, "the scenes' files, - for standard input")->required()->group("Arguments");
+  app.add_option("FILES", arguments->paths, "scene files, - for standard input")->required()->group("Arguments");
   app.footer(
-      "Each file is replaced by its formatted text, whole or not at all; - reads standard input and writes standard "
-      "output. Comments stay, and so does what the scene says. A file with syntax errors is left as it is. The exit "
-      "code is 1 for such a file, and with --check if any file would change.");
+      "Each file is replaced by its formatted text, completely or not at all; - formats standard input to standard "
+      "output. "
+      "Comments and the meaning of the scene are kept. A file with syntax errors is left alone. The exit code is 1 for "
+      "such a file, and with --check if any file would change.");
   return [arguments] { return Run(*arguments).all(); };
 }
 

@@ -34,13 +34,13 @@ int list_rules() {
 std::string conclusion(const std::vector<lang::Diagnostic>& warnings) {
   if (warnings.empty()) return "no warnings\n";
   const bool is_one = warnings.size() == 1;
-  return fmt::format("{} warning{}; `rtlang explain {}` tells more\n", warnings.size(), is_one ? "" : "s",
+  return fmt::format("{} warning{}; see `rtlang explain {}`\n", warnings.size(), is_one ? "" : "s",
                      warnings.front().code);
 }
 
 int run_lint(Arguments& arguments) {
   if (arguments.lists_rules) return list_rules();
-  if (arguments.scene->path.empty()) throw UsageError("the scene's file is missing");
+  if (arguments.scene->path.empty()) throw UsageError("SCENE is required");
   explain::require_rules(arguments.options.allowed);
   arguments.scene->options.lint = true;
   lang::Loaded loaded = load_in_silence(*arguments.scene);
@@ -63,20 +63,20 @@ int run_lint(Arguments& arguments) {
 
 Action declare_lint(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_flag("--strict", arguments->is_strict, "the exit code is 1 if there is any warning");
-  app.add_flag("--json", arguments->is_json, "for machines");
-  app.add_option("--allow", arguments->options.allowed, "a rule that is not to warn; can be repeated")
+  app.add_flag("--strict", arguments->is_strict, "exits with 1 if there are warnings");
+  app.add_flag("--json", arguments->is_json, "prints JSON");
+  app.add_option("--allow", arguments->options.allowed, "silences a rule (repeatable)")
       ->type_name("RULE")
       ->allow_extra_args(false);
   app.add_flag("--rules", arguments->lists_rules, "lists the rules");
   app.add_option("--depth-share", arguments->options.depth_share,
-                 "percent of the pixels that may lose light at max_depth (5)")
+                 "percentage of pixels that may lose light at max_depth (5)")
       ->type_name("PERCENT")
       ->check(CLI::Range(0.0, 100.0));
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
   app.get_option("SCENE")->required(false);
-  app.footer("A comment `// lint: allow RULE` keeps it silent about a line.");
+  app.footer("A comment `// lint: allow RULE` silences the rule for its line.");
   return [arguments] { return run_lint(*arguments); };
 }
 

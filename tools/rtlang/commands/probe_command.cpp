@@ -31,11 +31,11 @@ int run_probe(const Arguments& arguments) {
 Action declare_probe(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   arguments->question = add_question_arguments(app);
-  app.add_flag("--all", arguments->options.all, "every hit in order, not the nearest only");
-  app.add_flag("--json", arguments->options.as_json, "for machines");
+  app.add_flag("--all", arguments->options.all, "lists all hits in order, not only the nearest");
+  app.add_flag("--json", arguments->options.as_json, "prints JSON");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("t counts lengths of the direction; the distance is Euclidean. A miss is an answer, not an error.");
+  app.footer("t is in lengths of the direction, the distance in scene units. A miss is an answer, not an error.");
   return [arguments] { return run_probe(*arguments); };
 }
 

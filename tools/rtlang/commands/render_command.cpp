@@ -38,7 +38,7 @@ struct RenderArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   std::vector<std::string> outputs;
-  std::string format; ///< for outputs whose name does not tell; empty: png
+  std::string format; ///< for outputs whose name does not say; empty: png
   std::string crop;
   int bits = 8;
   int threads = 0;
@@ -55,10 +55,10 @@ struct Output {
 std::vector<Output> outputs(const RenderArguments& arguments) {
   std::vector<std::string> paths = arguments.outputs;
   if (paths.empty()) {
-    if (arguments.scene->path == "-") throw UsageError("a scene from standard input has no name: say -o FILE");
+    if (arguments.scene->path == "-") throw UsageError("a scene from standard input needs -o FILE");
     paths.push_back(std::filesystem::path(arguments.scene->path).stem().string() + ".png");
   }
-  if (std::count(paths.begin(), paths.end(), "-") > 1) throw UsageError("standard output takes one picture only");
+  if (std::count(paths.begin(), paths.end(), "-") > 1) throw UsageError("only one picture can go to standard output");
   std::vector<Output> list;
   for (const std::string& path : paths) {
     std::optional<ImageFormat> format = format_of(path);
@@ -68,7 +68,7 @@ std::vector<Output> outputs(const RenderArguments& arguments) {
     if (!format && !arguments.format.empty()) format = format_by_name(arguments.format);
     if (!format && needs_no_extension) format = ImageFormat::png;
     if (!format)
-      throw UsageError(fmt::format("`{}` does not end in .png, .exr, .ppm or .pfm: say which with --format", path));
+      throw UsageError(fmt::format("`{}` does not end in .png, .exr, .ppm or .pfm: choose one with --format", path));
     list.push_back({path, *format});
   }
   return list;
@@ -85,7 +85,7 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   const PixelRect rect{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   if (rect.x0 < 0 || rect.y0 < 0 || rect.x1 <= rect.x0 || rect.y1 <= rect.y0 || rect.x1 > size[0] || rect.y1 > size[1])
     throw UsageError(
-        fmt::format("--crop {} is no part of a picture of {}x{} (X1 and Y1 are not included)", text, size[0], size[1]));
+        fmt::format("--crop {} is not within the picture of {}x{} (X1 and Y1 are exclusive)", text, size[0], size[1]));
   return rect;
 }
 
@@ -133,7 +133,7 @@ int run_render(const RenderArguments& arguments) {
   const std::vector<Output> list = outputs(arguments);
   if (arguments.statistics == "json" &&
       std::any_of(list.begin(), list.end(), [](const Output& o) { return o.path == "-"; }))
-    throw UsageError("--stats json goes to standard output, where the picture is to go");
+    throw UsageError("--stats json writes to standard output, as the picture does");
   require_folders(list);
 
   RunStatistics statistics;
@@ -175,33 +175,33 @@ int run_render(const RenderArguments& arguments) {
 
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  app.add_option("-o,--output", arguments->outputs, ".png .exr .ppm .pfm, or - for standard output")
+  app.add_option("-o,--output", arguments->outputs, "output file (.png .exr .ppm .pfm), or - for standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   arguments->picture = add_picture_arguments(app);
-  app.add_option("--crop", arguments->crop, "only this part, in pixels from the top left")
+  app.add_option("--crop", arguments->crop, "renders only this rectangle, in pixels from the top left")
       ->type_name("X0,Y0,X1,Y1")
       ->check([](const std::string& text) {
         return live::parse_numbers(text, ',', 4) ? ""
                                                  : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
       });
-  app.add_option("--bits", arguments->bits, "of a sample in .png and .ppm: 8 or 16")
+  app.add_option("--bits", arguments->bits, "bits per channel in .png and .ppm: 8 or 16")
       ->type_name("N")
       ->check(one_of({"8", "16"}));
-  app.add_option("--threads", arguments->threads, "how many; one for each core where not given")
+  app.add_option("--threads", arguments->threads, "number of threads (one per core)")
       ->type_name("N")
       ->check(whole_number(1, 1024));
   arguments->scene = add_scene_arguments(app);
-  app.add_flag("--stats{text}", arguments->statistics, "prints what it took as a table, or as JSON")
+  app.add_flag("--stats{text}", arguments->statistics, "prints timings and counts as a table, or as JSON")
       ->type_name("[json]")
       ->check(one_of({"text", "json"}));
-  app.add_option("--format", arguments->format, "for - and other names: png (default), exr, ppm, pfm")
+  app.add_option("--format", arguments->format, "for - and unknown extensions: png (default), exr, ppm, pfm")
       ->type_name("NAME")
       ->check(one_of({"png", "exr", "ppm", "pfm"}))
       ->group(further_options);
-  app.add_flag("--keep-partial", arguments->keeps_partial, "writes what there is when Ctrl-C stops it")
+  app.add_flag("--keep-partial", arguments->keeps_partial, "on Ctrl-C, writes the unfinished picture")
       ->group(further_options);
-  app.footer("Without -o the picture goes to the current folder, as SCENE.png.");
+  app.footer("Without -o the picture is written to SCENE.png in the current folder.");
   return [arguments] { return run_render(*arguments); };
 }
 

@@ -11,9 +11,9 @@ namespace rt::tools {
 
 Action declare_repl(CLI::App& app) {
   auto options = std::make_shared<ReplOptions>();
-  app.add_option("SCENE", options->scene, "a scene file to begin with");
-  app.add_flag("--keep-going", options->keeps_going, "goes on after an error where input is no terminal");
-  app.footer("Where input is no terminal it reads a session as a script: no prompt, and the first error ends it.");
+  app.add_option("SCENE", options->scene, "a scene file to start from");
+  app.add_flag("--keep-going", options->keeps_going, "continues after an error if the input is no terminal");
+  app.footer("If the input is not a terminal it is read as a script: no prompt, and the first error ends the session.");
   return [options] { return run_repl(*options); };
 }
 

@@ -36,9 +36,9 @@ Action declare_scene(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.add_flag("--hash", arguments->wants_hash, "prints only the hash that a picture of the scene carries");
+  app.add_flag("--hash", arguments->wants_hash, "prints only the hash that pictures of the scene carry");
   app.footer(
-      "Numbers are exact, colours linear. Materials, patterns, groups and combinations are named by their index.");
+      "Numbers are exact and colours linear. Materials, patterns, groups and combinations are referred to by index.");
   return [arguments] { return run_scene(*arguments); };
 }
 

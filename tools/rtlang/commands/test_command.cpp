@@ -26,7 +26,7 @@ bool is_error(const lang::Diagnostic& diagnostic) {
 }
 
 /// Errors and failures; what is remarked about a scene that can be read is no business of its tests.
-void tell(const lang::Loaded& loaded, const SceneArguments& arguments) {
+void report(const lang::Loaded& loaded, const SceneArguments& arguments) {
   std::vector<lang::Diagnostic> wrong;
   std::copy_if(loaded.diagnostics.begin(), loaded.diagnostics.end(), std::back_inserter(wrong), is_error);
   wrong.insert(wrong.end(), loaded.expectations.failures.begin(), loaded.expectations.failures.end());
@@ -58,7 +58,7 @@ int run_test(const Arguments& arguments) {
     if (arguments.is_json)
       scenes.push_back(to_json(shown_name(one), loaded));
     else
-      tell(loaded, one);
+      report(loaded, one);
   }
   if (arguments.is_json)
     print(json{{"passed", passed}, {"failed", failed}, {"scenes", std::move(scenes)}}.dump(2) + "\n");
@@ -73,13 +73,14 @@ int run_test(const Arguments& arguments) {
 
 Action declare_test(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_flag("--json", arguments->is_json, "for machines");
+  app.add_flag("--json", arguments->is_json, "prints JSON");
   arguments->scene = add_scene_arguments(app);
   CLI::Option* scene = app.get_option("SCENE");
   app.remove_option(scene);
-  app.add_option("SCENES", arguments->paths, "the scenes' files, - for standard input")->required()->group("Arguments");
-  app.footer("Tries every `expect` of the scenes. A failure is told with what was expected, what was found and where;\n"
-             "the exit code is 0 if all hold, 1 if one does not or a scene is in error.");
+  app.add_option("SCENES", arguments->paths, "scene files, - for standard input")->required()->group("Arguments");
+  app.footer(
+      "Checks every `expect` statement. A failure is reported with what was expected, what was found and where;\n"
+      "the exit code is 0 if all hold, 1 if one fails or a scene has errors.");
   return [arguments] { return run_test(*arguments); };
 }
 

@@ -33,14 +33,13 @@ int run_why(const Arguments& arguments) {
 Action declare_why(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   arguments->question = add_question_arguments(app);
-  app.add_option("--depth", arguments->options.depth,
-                 "tells rays down to this depth; of deeper ones only what they bring")
+  app.add_option("--depth", arguments->options.depth, "expands rays down to this depth; deeper ones are summarised")
       ->type_name("N")
       ->check(whole_number(0, std::numeric_limits<int>::max()));
-  app.add_flag("--json", arguments->options.as_json, "for machines");
+  app.add_flag("--json", arguments->options.as_json, "prints JSON");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("The numbers are the tracer's own; beside each hit stands its derivation. Colours are linear.");
+  app.footer("The numbers are the renderer's own; each hit is shown with its derivation. Colours are linear.");
   return [arguments] { return run_why(*arguments); };
 }
 

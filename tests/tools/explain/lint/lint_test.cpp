@@ -63,7 +63,7 @@ TEST_CASE("lint: a camera in a transparent solid sees through its surface") {
   // The box reaches to z = 10, the eye is at 8; then to 7.
   CHECK(codes("box { size: 20, material: glass }\nsphere {}\n" + front) == "W0201 at 4");
   CHECK(lint("pond = box { size: 20, material: glass }\npond\nsphere {}\n" + front).text() ==
-        "the camera is inside of `pond` (line 2) | everything is seen through its surface\n");
+        "the camera is inside `pond` (line 2) | everything is seen through its surface\n");
   CHECK(codes("box { size: 14, material: water }\n" + front) == "");
 }
 
@@ -90,19 +90,19 @@ TEST_CASE("lint: a light in an opaque solid") {
             .find("W0202") == std::string::npos);
   CHECK(lint("sphere {}\ncamera { at: [0, 0, 8] }\nfor x in [-3, 3] { light { at: [x, 3, 3] } }\n"
              "for x in [-3, 3] { sphere { at: [x, 3, 3], radius: 0.5, name: \"shade\" } }\n")
-            .text() == "this light is inside of `shade` (line 5), which is opaque | no light comes out\n");
+            .text() == "this light is inside `shade` (line 5), which is opaque | no light gets out\n");
 }
 
 TEST_CASE("lint: nothing in view, with where it is") {
   // Seen from (0, 0, 8) along -z, the ball's middle at (6, 0, 0) is atan(6/8) = 36.9 degrees to the right; half of the
   // view is 25.
   CHECK(lint("sphere { at: [6, 0, 0] }\n" + front).text() ==
-        "nothing is in view | the middle of all things is 37 degrees to the right of the view's middle\n");
+        "nothing is in view | the centre of all things is 37 degrees to the right from the view's centre\n");
   CHECK(codes("sphere { at: [3, 0, 0] }\n" + front) == "");
   CHECK(lint("sphere { at: [0, 9, 0] }\n" + front).text() ==
-        "nothing is in view | the middle of all things is 48 degrees up of the view's middle\n"); // atan(9/8) = 48.4
+        "nothing is in view | the centre of all things is 48 degrees up from the view's centre\n"); // atan(9/8) = 48.4
   CHECK(lint("sphere { radius: 0.001, at: [0.03, 0.03, 0] }\n" + front).text() ==
-        "nothing is in view | all there is is smaller than a pixel\n");
+        "nothing is in view | everything is smaller than a pixel\n");
   CHECK(codes("plane { z: 20 }\n" + front) == "W0203 at 3");
   CHECK(codes(front) == "W0203 at 2");               // there is nothing at all
   CHECK(codes(front + "expect 1 + 1 == 2\n") == ""); // a page of questions
@@ -112,7 +112,7 @@ TEST_CASE("lint: everything is behind the camera") {
   const Linted l = lint("sphere { at: [0, 0, 12] }\n" + front);
   CHECK(l.codes() == "W0204 at 3");
   REQUIRE_FALSE(l.warnings.empty());
-  CHECK(l.warnings[0].notes[0].message == "the middle of all things is at [0, 0, 12]: write `look_at: [0, 0, 12]`");
+  CHECK(l.warnings[0].notes[0].message == "the centre of all things is at [0, 0, 12]: write `look_at: [0, 0, 12]`");
   CHECK(codes("sphere { at: [0, 0, 12] }\nsphere {}\n" + front) == ""); // some things may be behind
 }
 
@@ -201,19 +201,18 @@ TEST_CASE("lint: a light that reaches nothing, and why") {
     const Linted l = lint(scene + light);
     return l.codes() + ": " + (l.warnings.empty() ? "" : l.warnings[0].label);
   };
-  CHECK(label("light { at: [0, -5, 0] }\n") == "W0301 at 5: all that is seen faces the other way");
-  CHECK(label("spot { at: [0, 5, 0], look_at: [0, 9, 0] }\n") ==
-        "W0301 at 5: nothing that is seen lies within its cone");
+  CHECK(label("light { at: [0, -5, 0] }\n") == "W0301 at 5: everything visible faces away from it");
+  CHECK(label("spot { at: [0, 5, 0], look_at: [0, 9, 0] }\n") == "W0301 at 5: nothing visible is within its cone");
   CHECK(label("light { at: [0, 5, 5], intensity: 0 }\n") == "W0301 at 5: its `color` or `intensity` is 0");
   CHECK(label("sun { direction: [0, -1, 0] }\nbox { size: [9999, 1, 9999], at: [0, 50, 0], name: \"lid\" }\n") ==
-        "W0301 at 5: what line 6 places is in the way of it");
+        "W0301 at 5: what line 6 places blocks it");
   CHECK(label("light { at: [0, 5, 5] }\n") == ": ");
   CHECK(label("light { at: [0, 0, -5] }\n") == ": "); // it lights the floor
   // A small spot of light is found by looking closer: at (1, -1, 0), half of 1.5 degrees wide, 6 away: 0.16 across.
   CHECK(label("spot { at: [1, 5, 0], look_at: [1, -1, 0], angle: 1.5 } // lint: allow radians\n") == ": ");
 }
 
-TEST_CASE("lint: all that is seen is black") {
+TEST_CASE("lint: everything visible is black") {
   CHECK(codes("sphere {}\nambient: 0\ncamera { at: [0, 0, 8] }\n") == "W0302");
   CHECK(codes("sphere {}\nambient: 0\ncamera { at: [0, 0, 8] }\nlight { at: [0, 0, -8] }\n") == "W0301 at 5, W0302");
   CHECK(codes("sphere { material: material { emission: 0.5 } }\nambient: 0\ncamera { at: [0, 0, 8] }\n") == "");
@@ -249,7 +248,7 @@ TEST_CASE("lint: rays that end at max_depth and would have counted") {
   CHECK(lint("max_depth: 1\n" + scene, generous).codes() == "");
 }
 
-TEST_CASE("lint: what is allowed is not told, by comment or by option") {
+TEST_CASE("lint: what is allowed is not reported, by comment or by option") {
   CHECK(codes("sphere { radius: 9 }\nsun {}\ncamera { at: [0, 0, 8] } // lint: allow camera_inside\n") == "");
   CHECK(codes("// lint: allow black_picture in this file\nsphere {}\nambient: 0\ncamera { at: [0, 0, 8] }\n") == "");
   explain::LintOptions options;

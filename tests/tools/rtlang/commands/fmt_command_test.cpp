@@ -103,7 +103,7 @@ TEST_CASE("fmt: a scene that is wrong in other ways can be formatted") {
   CHECK(desk.folder.read("a.rtl") == "sphere { raduis: 1 }\n");
 }
 
-TEST_CASE("fmt: what cannot be read or written is told, and the others are formatted") {
+TEST_CASE("fmt: what cannot be read or written is reported, and the others are formatted") {
   Desk desk;
   desk.folder.write("messy.rtl", messy);
   desk.folder.write("locked.rtl", messy);

@@ -20,7 +20,7 @@ TEST_CASE("rtlang lint: text, JSON and exit codes") {
   CHECK(bad.exit_code == 0);
   CHECK(bad.errors.empty());
   CHECK(bad.output.find("warning[W0101]: `spare` is bound and never placed\n  --> bad.rtl:1:1\n") == 0);
-  CHECK(bad.output.find("\n1 warning; `rtlang explain W0101` tells more\n") != std::string::npos);
+  CHECK(bad.output.find("\n1 warning; see `rtlang explain W0101`\n") != std::string::npos);
   CHECK(rtlang({"lint", "bad.rtl", "--strict"}, options).exit_code == 1);
   CHECK(rtlang({"lint", "bad.rtl", "--strict", "--allow", "never_placed"}, options).exit_code == 0);
   const auto json = nlohmann::json::parse(rtlang({"lint", "bad.rtl", "--json"}, options).output);

@@ -85,7 +85,7 @@ TEST_CASE("rtlang render: - is standard input and standard output") {
   CHECK(desk.folder.names() == Names{"scene.rtl"});
   const Outcome nameless = desk.run({"-"});
   CHECK(nameless.exit_code == 2);
-  CHECK_THAT(nameless.errors, Contains("say -o FILE"));
+  CHECK_THAT(nameless.errors, Contains("needs -o FILE"));
 }
 
 TEST_CASE("rtlang render: size, samples, depth and crop") {
@@ -142,7 +142,7 @@ TEST_CASE("rtlang render: a full disk leaves the old picture and nothing else") 
   CHECK(desk.folder.names() == Names{"a.pfm", "scene.rtl"});
 }
 
-TEST_CASE("rtlang render: a folder or a picture that may not be written is told before rendering") {
+TEST_CASE("rtlang render: a folder or a picture that may not be written is reported before rendering") {
   Desk desk;
   desk.folder.write("a.png", "old");
   std::filesystem::permissions(desk.folder.path(), std::filesystem::perms(0755));
@@ -164,7 +164,7 @@ TEST_CASE("rtlang render: statistics as a table or as JSON") {
   const Desk desk;
   const Outcome table = desk.run({"--stats", "scene.rtl"});
   CHECK_THAT(table.errors,
-             Contains("\npicture     40×30, 1 sample a pixel: scene.png\n") && Contains("\nmemory      "));
+             Contains("\npicture     40×30, 1 sample per pixel: scene.png\n") && Contains("\nmemory      "));
   CHECK(table.output.empty());
   for (const auto& arguments : {Names{"scene.rtl", "--stats", "json"}, Names{"--stats=json", "scene.rtl", "-q"}}) {
     const json j = json::parse(desk.run(arguments).output);
@@ -197,7 +197,7 @@ TEST_CASE("rtlang render: Ctrl-C stops within a second and leaves nothing") {
     CHECK(run.exit_code == 130);
     CHECK(run.since_signal < std::chrono::seconds(1));
     CHECK(desk.image("a.png").width == 800);
-    CHECK_THAT(run.errors, StartsWith("a.png: 800×600, stopped before it was whole, "));
+    CHECK_THAT(run.errors, StartsWith("a.png: 800×600, incomplete, "));
   }
   SECTION("while the tree of a large scene is built") {
     desk.folder.write(

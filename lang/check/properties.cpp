@@ -1,6 +1,7 @@
 #include "lang/check/properties.hpp"
 
 #include "lang/check/errors/property_errors.hpp"
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/values/thing.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ public:
       return true;
     }
     const SymbolTable& symbols = context_.program.symbols;
-    errors::property_set_twice(context_, ast_.named_span(item, symbols), symbol,
-                               ast_.named_span(first->second, symbols));
+    context_.report.add(errors::property_set_twice(ast_.named_span(item, symbols), context_.name(symbol),
+                                                   ast_.named_span(first->second, symbols)));
     return false;
   }
 
@@ -68,8 +69,8 @@ void check_duplicates(CheckContext& context, const Unit& unit, NodeId block, con
     if (!property || property->form == 0) continue;
     if (form_owner && form_owner->form != property->form) {
       const SymbolTable& symbols = context.program.symbols;
-      errors::two_forms(context, unit.ast.named_span(item, symbols), property->name,
-                        unit.ast.named_span(form_item, symbols), form_owner->name);
+      context.report.add(errors::two_forms(unit.ast.named_span(item, symbols), property->name,
+                                           unit.ast.named_span(form_item, symbols), form_owner->name));
       continue;
     }
     form_owner = property;

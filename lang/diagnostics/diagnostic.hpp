@@ -29,6 +29,9 @@ struct Diagnostic {
   std::vector<Note> call_stack; ///< innermost first
 };
 
+Diagnostic make_error(std::string_view code, Span place, std::string message, std::string label = {},
+                      std::vector<Note> notes = {});
+
 /// As it is shown to people: the place, the line with carets, the notes. `use_color` adds terminal colours.
 std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color);
 /// As one JSON array, for machines.

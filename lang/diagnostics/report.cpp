@@ -93,12 +93,11 @@ Diagnostic* Report::add(Severity severity, std::string_view code, Span span) {
   return &diagnostic;
 }
 
-void Report::error(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes) {
-  Diagnostic* d = error(code, span);
+void Report::add(Diagnostic diagnostic) {
+  Diagnostic* d = add(diagnostic.severity, diagnostic.code, diagnostic.span);
   if (!d) return;
-  d->message = std::move(message);
-  d->label = std::move(label);
-  d->notes = std::move(notes);
+  diagnostic.span = d->span; // of the item that a model stands for
+  *d = std::move(diagnostic);
 }
 
 Diagnostic* Report::remark(std::string_view code, Span span) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace rt::lang {
@@ -23,8 +24,11 @@ public:
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
   /// The same, filled in.
+  void add(Diagnostic diagnostic);
   void error(std::string_view code, Span span, std::string message, std::string label = {},
-             std::vector<Note> notes = {});
+             std::vector<Note> notes = {}) {
+    add(make_error(code, span, std::move(message), std::move(label), std::move(notes)));
+  }
   /// From now on `remark` takes what the lint has to say; it is kept apart.
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }

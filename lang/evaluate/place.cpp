@@ -1,3 +1,4 @@
+#include "lang/check/lint/rules.hpp"
 #include "lang/evaluate/evaluator.hpp"
 
 #include <fmt/format.h>
@@ -205,7 +206,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const PropertyValue* ior = thing.find(*thing.type->find(std::string_view("ior")));
   const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
   if (!bends_nothing || !builder_.open_part(made).empty()) return;
-  if (Diagnostic* d = report_.remark("W0106", refract->span)) {
+  if (Diagnostic* d = report_.remark(lint_rule::no_ior.code, refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
     d->label = "`ior` is 1 unless it is written";
     d->notes.push_back({std::nullopt, "write `ior: 1.5` for glass, `ior: 1.33` for water, or `ior: 1` if it is meant"});

@@ -1,5 +1,6 @@
 #include "lang/session/session_change.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/deep_stack.hpp"
 #include "lang/session/session_text.hpp"
 #include "lang/syntax/parse.hpp"
@@ -235,10 +236,9 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
     if (moves && statement.declares() && std::binary_search(symbols.begin(), symbols.end(), statement.key)) {
       const std::string_view name = core_.program.symbols.name(draft->key),
                              other = core_.program.symbols.name(statement.key);
-      if (Diagnostic* d = core_.report.error("E0203", draft->unit->ast.span(draft->nodes.front()))) {
-        d->message = fmt::format("`{}` would need itself: `{}` is made of it", name, other);
-        d->label = fmt::format("this uses `{}`", other);
-      }
+      core_.report.add(errors::no_value_yet(draft->unit->ast.span(draft->nodes.front()),
+                                            fmt::format("`{}` would need itself: `{}` is made of it", name, other),
+                                            fmt::format("this uses `{}`", other)));
     }
     for (const TopName& name : statement.names)
       if (moves) moved_names.insert(name.name);

@@ -1,3 +1,4 @@
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/deep_stack.hpp"
 #include "lang/session/session_change.hpp"
 #include "lang/session/session_text.hpp"
@@ -189,10 +190,7 @@ void SessionChange::check_scene_properties() {
       if (p.value.is_poison()) continue;
       const Property& property = type.properties[p.id];
       if (const PropertyValue* first = written[p.id]) {
-        if (Diagnostic* d = core_.report.error("E0205", p.span)) {
-          d->message = fmt::format("`{}` is written twice", property.name);
-          d->notes.push_back({first->span, "first here"});
-        }
+        core_.report.add(errors::property_set_twice(p.span, property.name, first->span));
         return;
       }
       written[p.id] = &p;

@@ -1,6 +1,7 @@
 #include "lang/session/session_submission.hpp"
 
 #include "lang/session/session_text.hpp"
+#include "lang/syntax/errors/syntax_codes.hpp"
 
 #include <fmt/format.h>
 
@@ -56,10 +57,9 @@ void Submission::take(const SessionChange::Draft& draft) {
 void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
   const auto at = change_.find_id(last_id_);
   if (!at) {
-    if (Diagnostic* d = core_.report.error("E0216", draft->unit->ast.span(item))) {
-      d->message = "there is no thing before this line that it could change";
-      d->label = "a line that begins with `.` goes on with the one before it";
-    }
+    core_.report.add(errors::line_begins_with_operator(draft->unit->ast.span(item),
+                                                       "there is no thing before this line that it could change",
+                                                       "a line that begins with `.` goes on with the one before it"));
     return;
   }
   const Statement& old = change_[*at];

@@ -2,6 +2,7 @@
 
 #include "lang/builtins/builtins.hpp"
 #include "lang/check/errors/dialects.hpp"
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
@@ -31,16 +32,9 @@ std::string as_properties(CheckContext& context, const Ast& ast, NodeId call, co
   return properties;
 }
 
-void wrong_arguments(CheckContext& context, Span place, const Callee& callee, std::string message, std::string label) {
-  context.report.error("E0208", place, std::move(message), std::move(label), {callee.takes});
-}
-
-void no_thing(CheckContext& context, Span place, std::string message, std::string label) {
-  context.report.error("E0210", place, std::move(message), std::move(label));
-}
-
-void no_member(CheckContext& context, Span place, std::string message, std::string label) {
-  context.report.error("E0212", place, std::move(message), std::move(label));
+void report_arguments(CheckContext& context, Span place, const Callee& callee, std::string message,
+                      std::string label = {}) {
+  context.report.add(wrong_arguments(place, std::move(message), std::move(label), {callee.takes}));
 }
 
 } // namespace
@@ -48,53 +42,53 @@ void no_member(CheckContext& context, Span place, std::string message, std::stri
 void thing_is_called(CheckContext& context, const Unit& unit, NodeId call, const StaticType& callee) {
   const std::string_view type = callee.function ? context.name(callee.function->name) : callee.type->name;
   const std::string properties = as_properties(context, unit.ast, call, callee);
-  context.report.error("E0209", unit.ast.span(call), fmt::format("`{}` is a thing, and things take braces", type),
-                       properties.empty() ? fmt::format("write `{} {{}}`", type)
-                                          : fmt::format("write `{} {{ {} }}`", type, properties));
+  context.report.add(called_thing(unit.ast.span(call), fmt::format("`{}`", type),
+                                  properties.empty() ? fmt::format("write `{} {{}}`", type)
+                                                     : fmt::format("write `{} {{ {} }}`", type, properties)));
 }
 
 void too_many_arguments(CheckContext& context, Span place, const Callee& callee) {
-  wrong_arguments(context, place, callee, fmt::format("{} takes {}", callee.name, callee.most), "one too many");
+  report_arguments(context, place, callee, fmt::format("{} takes {}", callee.name, callee.most), "one too many");
 }
 
 void unknown_parameter(CheckContext& context, Span place, const Callee& callee, std::string_view word,
                        const std::vector<std::string_view>& parameters) {
-  wrong_arguments(context, place, callee, fmt::format("{} has no parameter `{}`", callee.name, word),
-                  guess_label(word, parameters));
+  report_arguments(context, place, callee, fmt::format("{} has no parameter `{}`", callee.name, word),
+                   guess_label(word, parameters));
 }
 
 void argument_given_twice(CheckContext& context, Span place, const Callee& callee, std::string_view word) {
-  wrong_arguments(context, place, callee, fmt::format("`{}` is given twice", word), "");
+  report_arguments(context, place, callee, fmt::format("`{}` is given twice", word));
 }
 
 void missing_argument(CheckContext& context, Span place, const Callee& callee, std::string_view parameter) {
-  wrong_arguments(context, place, callee, fmt::format("{} needs a value for `{}`", callee.name, parameter), "");
+  report_arguments(context, place, callee, fmt::format("{} needs a value for `{}`", callee.name, parameter));
 }
 
 void method_without_thing(CheckContext& context, Span place, std::string_view method) {
-  no_thing(context, place, fmt::format("`{}` is written behind a thing", method),
-           fmt::format("write `thing.{}(…)`", method));
+  context.report.add(no_thing(place, fmt::format("`{}` is written behind a thing", method),
+                              fmt::format("write `thing.{}(…)`", method)));
 }
 
 void not_a_thing(CheckContext& context, Span place, bool is_module) {
-  no_thing(context, place,
-           fmt::format("`{}` is a {}, not a thing", context.text(place), is_module ? "file" : "function"),
-           is_module ? "write the name of a thing in it, after a dot" : "a function takes its arguments in ( )");
+  context.report.add(
+      no_thing(place, fmt::format("`{}` is a {}, not a thing", context.text(place), is_module ? "file" : "function"),
+               is_module ? "write the name of a thing in it, after a dot" : "a function takes its arguments in ( )"));
 }
 
 void unknown_export(CheckContext& context, Span place, Symbol name, const ModuleInfo& module) {
   std::vector<std::string_view> names;
   for (const ModuleInfo::Export& e : module.exports) names.push_back(context.name(e.name));
-  no_member(context, place, fmt::format("the file has no name `{}`", context.name(name)),
-            guess_label(context.name(name), names));
+  context.report.add(no_member(place, fmt::format("the file has no name `{}`", context.name(name)),
+                               guess_label(context.name(name), names)));
 }
 
 void unknown_method(CheckContext& context, Span place, std::string_view word) {
   std::vector<std::string_view> names;
   for (const ChainMethod& method : chain_methods()) names.push_back(method.name);
   const std::string other = dialect_name(word);
-  no_member(context, place, fmt::format("a thing has no `.{}(…)`", word),
-            other.empty() ? guess_label(word, names) : other);
+  context.report.add(
+      no_member(place, fmt::format("a thing has no `.{}(…)`", word), other.empty() ? guess_label(word, names) : other));
 }
 
 } // namespace rt::lang::errors

@@ -1,5 +1,6 @@
 #include "lang/check/errors/name_errors.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
@@ -9,10 +10,6 @@ namespace {
 
 void not_known(CheckContext& context, Span place, std::string message, std::string label) {
   context.report.error("E0201", place, std::move(message), std::move(label));
-}
-
-void no_value_yet(CheckContext& context, Span place, std::string message, std::string label, std::vector<Note> notes) {
-  context.report.error("E0203", place, std::move(message), std::move(label), std::move(notes));
 }
 
 } // namespace
@@ -43,14 +40,14 @@ void name_in_its_own_value(CheckContext& context, Span place, Symbol name, bool 
   std::vector<Note> notes;
   if (is_lambda)
     notes.push_back({std::nullopt, fmt::format("a function that calls itself is written `fn {}(…) = …`", word)});
-  no_value_yet(context, place, fmt::format("`{}` has no value yet: its own line gives it one", word), "not known here",
-               std::move(notes));
+  context.report.add(no_value_yet(place, fmt::format("`{}` has no value yet: its own line gives it one", word),
+                                  "not known here", std::move(notes)));
 }
 
 void name_before_its_value(CheckContext& context, Span place, Symbol name, Span later) {
-  no_value_yet(context, place,
-               fmt::format("`{}` has no value yet: line {} gives it one", context.name(name), context.line(later)),
-               "too early", {{later, "bound here"}});
+  context.report.add(no_value_yet(
+      place, fmt::format("`{}` has no value yet: line {} gives it one", context.name(name), context.line(later)),
+      "too early", {{later, "bound here"}}));
 }
 
 void name_hides_property(CheckContext& context, Span place, Symbol name, const Owner& owner) {

@@ -1,6 +1,7 @@
 #include "lang/check/errors/property_errors.hpp"
 
 #include "lang/check/errors/dialects.hpp"
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
@@ -59,18 +60,9 @@ void unknown_property(CheckContext& context, const Unit& unit, NodeId item, cons
       label = fmt::format("did you mean `{}`?", *guess);
     notes.push_back({std::nullopt, fmt::format("{} takes {}", whose, fmt::join(names, ", "))});
   }
-  context.report.error("E0204", unit.ast.named_span(item, context.program.symbols),
-                       fmt::format("{} has no property `{}`", whose, word), std::move(label), std::move(notes));
-}
-
-void property_set_twice(CheckContext& context, Span place, Symbol name, Span first) {
-  context.report.error("E0205", place, fmt::format("`{}` is written twice", context.name(name)), {},
-                       {{first, "first here"}});
-}
-
-void two_forms(CheckContext& context, Span place, std::string_view name, Span other_place, std::string_view other) {
-  context.report.error("E0206", place, fmt::format("`{}` and `{}` are two ways to say the same", other, name),
-                       "leave one of them out", {{other_place, "the other one is here"}});
+  context.report.add(no_property(unit.ast.named_span(item, context.program.symbols),
+                                 fmt::format("{} has no property `{}`", whose, word), std::move(label),
+                                 std::move(notes)));
 }
 
 } // namespace rt::lang::errors

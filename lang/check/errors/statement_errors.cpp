@@ -1,5 +1,6 @@
 #include "lang/check/errors/statement_errors.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ void param_below_top_level(Report& report, Span place) {
 }
 
 void too_many_names_in_loop(Report& report, Span place) {
-  report.error("E0506", place, "there are too many names in this loop");
+  report.add(too_deep(place, "there are too many names in this loop"));
 }
 
 void expect_below_top_level(Report& report, Span place) {

@@ -1,5 +1,7 @@
 #include "lang/check/lint/lint_warnings.hpp"
 
+#include "lang/check/lint/rules.hpp"
+
 #include <fmt/format.h>
 
 namespace rt::lang::warnings {
@@ -8,18 +10,18 @@ namespace {
 constexpr const char* take_out = "if it is not needed, take it out";
 
 void never_placed(Report& report, Span place, std::string_view word, std::string label, std::string advice) {
-  report.remark("W0101", place, fmt::format("`{}` is bound and never placed", word), std::move(label),
-                {{std::nullopt, std::move(advice)}});
+  report.remark(lint_rule::never_placed.code, place, fmt::format("`{}` is bound and never placed", word),
+                std::move(label), {{std::nullopt, std::move(advice)}});
 }
 
 void never_used(Report& report, Span place, std::string_view word, std::string label, std::string advice) {
-  report.remark("W0102", place, fmt::format("`{}` is never used", word), std::move(label),
+  report.remark(lint_rule::never_used.code, place, fmt::format("`{}` is never used", word), std::move(label),
                 {{std::nullopt, std::move(advice)}});
 }
 
 void unused_parameter(Report& report, Span place, std::string_view word) {
   if (word.starts_with('_')) return;
-  report.remark("W0103", place, fmt::format("the parameter `{}` is never used", word),
+  report.remark(lint_rule::unused_parameter.code, place, fmt::format("the parameter `{}` is never used", word),
                 "whatever is passed changes nothing",
                 {{std::nullopt, fmt::format("write `{0}` where its value is meant; if it must be there for its place, "
                                             "call it `_{0}`",
@@ -27,7 +29,7 @@ void unused_parameter(Report& report, Span place, std::string_view word) {
 }
 
 void looks_like_radians(Report& report, Span place, std::string label, std::vector<Note> notes = {}) {
-  report.remark("W0104", place, "this looks like radians, and angles are in degrees", std::move(label),
+  report.remark(lint_rule::radians.code, place, "this looks like radians, and angles are in degrees", std::move(label),
                 std::move(notes));
 }
 
@@ -68,7 +70,7 @@ void only_parts_read(Report& report, const Declaration& declaration, const Symbo
 }
 
 void hidden_noun(Report& report, Span place, std::string_view word) {
-  report.remark("W0105", place, fmt::format("the name `{0}` hides the thing `{0}`", word),
+  report.remark(lint_rule::hides_noun.code, place, fmt::format("the name `{0}` hides the thing `{0}`", word),
                 fmt::format("from here on `{} {{ … }}` is a copy of this", word),
                 {{std::nullopt, "choose another name"}});
 }

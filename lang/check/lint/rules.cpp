@@ -14,8 +14,6 @@
 namespace rt::lang {
 namespace {
 
-constexpr LintRule unknown_rule{"W0001", "unknown_rule"};
-
 constexpr std::string_view blanks = " \t\r\n";
 
 std::string_view trim(std::string_view text) {
@@ -121,7 +119,7 @@ private:
   void complain(Span span, std::string message, std::string label) {
     Diagnostic& d = mistakes_.emplace_back();
     d.severity = Severity::warning;
-    d.code = unknown_rule.code;
+    d.code = lint_rule::unknown_rule.code;
     d.message = std::move(message);
     d.label = std::move(label);
     d.span = span;
@@ -137,27 +135,13 @@ private:
 
 std::span<const LintRule> lint_rules() {
   static constexpr LintRule table[] = {
-      unknown_rule,
-      {"W0101", "never_placed"},
-      {"W0102", "never_used"},
-      {"W0103", "unused_parameter"},
-      {"W0104", "radians"},
-      {"W0105", "hides_noun"},
-      {"W0106", "no_ior"},
-      {"W0201", "camera_inside"},
-      {"W0202", "light_inside"},
-      {"W0203", "nothing_in_view"},
-      {"W0204", "behind_camera"},
-      {"W0205", "coincident"},
-      {"W0206", "too_small"},
-      {"W0207", "hidden"},
-      {"W0208", "overlapping_media"},
-      {"W0209", "nearly_flat"},
-      {"W0301", "dark_light"},
-      {"W0302", "black_picture"},
-      {"W0303", "clipped_picture"},
-      {"W0304", "depth_reached"},
-  };
+      lint_rule::unknown_rule,     lint_rule::never_placed,  lint_rule::never_used,
+      lint_rule::unused_parameter, lint_rule::radians,       lint_rule::hides_noun,
+      lint_rule::no_ior,           lint_rule::camera_inside, lint_rule::light_inside,
+      lint_rule::nothing_in_view,  lint_rule::behind_camera, lint_rule::coincident,
+      lint_rule::too_small,        lint_rule::hidden,        lint_rule::overlapping_media,
+      lint_rule::nearly_flat,      lint_rule::dark_light,    lint_rule::black_picture,
+      lint_rule::clipped_picture,  lint_rule::depth_reached};
   return table;
 }
 

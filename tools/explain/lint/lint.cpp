@@ -25,10 +25,10 @@ lang::Span Findings::span(Line line) const {
   return {line.file, start + static_cast<std::uint32_t>(first), start + static_cast<std::uint32_t>(text.size())};
 }
 
-lang::Diagnostic& Findings::warn(std::string_view code, Line line, std::string message) {
+lang::Diagnostic& Findings::warn(const lang::LintRule& rule, Line line, std::string message) {
   lang::Diagnostic& d = found_.emplace_back();
   d.severity = lang::Severity::warning;
-  d.code = code;
+  d.code = rule.code;
   d.message = std::move(message);
   d.span = span(line);
   return d;
@@ -86,7 +86,7 @@ bool has_expectations(const lang::SourceMap& sources) {
 void find_emptiness(const scene::Scene& scene, const lang::SourceMap& sources, Findings& findings) {
   const Line camera = line_of(scene.camera_origin);
   if (camera.number == 0 || has_expectations(sources)) return;
-  lang::Diagnostic& d = findings.warn("W0203", camera, "nothing is in view");
+  lang::Diagnostic& d = findings.warn(lang::lint_rule::nothing_in_view, camera, "nothing is in view");
   d.label = "the scene has nothing to look at";
   d.notes.push_back({std::nullopt, "place a thing on a line of its own, as in `sphere {}`"});
 }

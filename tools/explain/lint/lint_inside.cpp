@@ -31,7 +31,8 @@ void find_eye_inside(LintContext& context) {
     const Line camera = line_of(context.scene.camera_origin), solid = line_of(around.objects.front()->origin);
     const std::string name = context.findings.name(*around.objects.front());
     if (around.is_transparent) {
-      lang::Diagnostic& d = context.findings.warn("W0201", camera, fmt::format("the camera is inside {}", name));
+      lang::Diagnostic& d =
+          context.findings.warn(lang::lint_rule::camera_inside, camera, fmt::format("the camera is inside {}", name));
       d.label = "everything is seen through its surface";
       d.notes.push_back(context.findings.note(solid, "this transparent solid surrounds the camera"));
       continue;
@@ -47,8 +48,8 @@ void find_eye_inside(LintContext& context) {
     };
     if (!is_all_there_is || holds_a_light()) continue; // a room
     context.is_eye_shut_in = true;
-    lang::Diagnostic& d =
-        context.findings.warn("W0201", camera, fmt::format("the camera is inside {} and sees nothing else", name));
+    lang::Diagnostic& d = context.findings.warn(lang::lint_rule::camera_inside, camera,
+                                                fmt::format("the camera is inside {} and sees nothing else", name));
     d.label = "every ray hits its inside";
     d.notes.push_back(context.findings.note(solid, "this opaque solid surrounds the camera"));
     d.notes.push_back({std::nullopt, "move the camera out of it"});
@@ -72,7 +73,7 @@ void find_lights_inside(LintContext& context) {
       if (!reported.emplace(place, solid).second) continue;
       const std::string name = Findings::subject(name_of(context.scene, light), 1);
       lang::Diagnostic& d = context.findings.warn(
-          "W0202", place,
+          lang::lint_rule::light_inside, place,
           fmt::format("{} is inside {}, which is opaque", name, context.findings.name(thing_of(around.objects))));
       d.label = "no light gets out";
       d.notes.push_back(context.findings.note(
@@ -153,8 +154,8 @@ void find_small_scales(LintContext& context) {
   for (const scene::Combination& combination : scene.shapes.all<scene::Combination>()) look(combination.operands);
   for (const auto& [line, small] : lines) {
     const std::string subject = Findings::subject(name_of(scene, *small.first), small.count);
-    lang::Diagnostic& d =
-        context.findings.warn("W0209", line, fmt::format("the transform leaves almost nothing of {}", subject));
+    lang::Diagnostic& d = context.findings.warn(lang::lint_rule::nearly_flat, line,
+                                                fmt::format("the transform leaves almost nothing of {}", subject));
     d.label = problems[static_cast<std::size_t>(small.first->transform)];
     d.notes.push_back(
         {std::nullopt, "check for a wrong unit or an extra 0; what is meant to be flat can be a `disc` or a `quad`"});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lang/check/lint/rules.hpp"
 #include "lang/diagnostics/diagnostic.hpp"
 #include "renderer/render/ray_query.hpp"
 #include "tools/explain/lint/lint.hpp"
@@ -75,7 +76,7 @@ public:
       : namer_(scene, scene.files.empty() ? "" : scene.files.front()), sources_(sources) {}
 
   /// A warning at a line, or about the scene as a whole where nothing was written (line 0).
-  lang::Diagnostic& warn(std::string_view code, Line line, std::string message);
+  lang::Diagnostic& warn(const lang::LintRule& rule, Line line, std::string message);
   lang::Note note(Line line, std::string message) const;
   /// "`ball` (line 3)", "the sphere (line 3)", with the file where it is another one than the scene's.
   std::string name(const scene::Object& object) const;

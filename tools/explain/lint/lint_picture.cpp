@@ -76,8 +76,8 @@ std::pair<std::string, std::string> darkness(const LintContext& context, const L
 void find_coincidences(LintContext& context) {
   for (const auto& [lines, c] : context.survey.coincidences) {
     if (c.count < least_evidence) continue;
-    lang::Diagnostic& d =
-        context.findings.warn("W0205", lines.second, fmt::format("{} and {} share a surface", c.second, c.first));
+    lang::Diagnostic& d = context.findings.warn(lang::lint_rule::coincident, lines.second,
+                                                fmt::format("{} and {} share a surface", c.second, c.first));
     d.label = c.is_through ? "rays through one of them miss the other, pixel by pixel"
                            : "rounding decides which of the two is seen";
     if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
@@ -115,7 +115,7 @@ void find_overlaps(LintContext& context) {
   for (const auto& [lines, overlap] : overlaps) {
     if (overlap.count < least_evidence) continue;
     lang::Diagnostic& d = context.findings.warn(
-        "W0208", lines.second,
+        lang::lint_rule::overlapping_media, lines.second,
         fmt::format("{} and {} overlap, and both are transparent", overlap.second, overlap.first));
     d.label = "it is ambiguous which medium light is in there";
     if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
@@ -148,7 +148,8 @@ void find_dark_lights(LintContext& context) {
     // Of a row of lights some may look elsewhere.
     if (lit.contains(line) || context.shut_in_lights.contains(line)) continue;
     const std::string name = Findings::subject(name_of(context.scene, context.scene.lights[dark.first]), dark.count);
-    lang::Diagnostic& d = context.findings.warn("W0301", line, fmt::format("{} reaches nothing visible", name));
+    lang::Diagnostic& d =
+        context.findings.warn(lang::lint_rule::dark_light, line, fmt::format("{} reaches nothing visible", name));
     auto [why, advice] = darkness(context, lights[dark.first], closer.lights[dark.first]);
     d.label = std::move(why);
     d.notes.push_back({std::nullopt, std::move(advice)});
@@ -159,7 +160,7 @@ void find_exposure(LintContext& context) {
   const LintSurvey& s = context.survey;
   if (s.surfaces == 0 || context.is_eye_shut_in) return;
   if (s.black == s.surfaces) {
-    lang::Diagnostic& d = context.findings.warn("W0302", {}, "everything visible is black");
+    lang::Diagnostic& d = context.findings.warn(lang::lint_rule::black_picture, {}, "everything visible is black");
     const bool has_light = !context.scene.lights.empty(), has_ambient = context.scene.ambient != black;
     const std::string lights = has_light ? "no light reaches it" : "there is no light";
     d.notes.push_back(
@@ -171,7 +172,7 @@ void find_exposure(LintContext& context) {
   }
   if (2 * s.clipped <= s.surfaces) return;
   lang::Diagnostic& d = context.findings.warn(
-      "W0303", {},
+      lang::lint_rule::clipped_picture, {},
       fmt::format("{} of what is visible is brighter than the picture can show", percent(s.clipped, s.surfaces)));
   d.notes.push_back(
       {std::nullopt, "lower the `intensity` of the lights or `ambient`: channels are clipped at 1, and colours shift"});
@@ -183,7 +184,7 @@ void find_cut_off_rays(LintContext& context) {
       100.0 * static_cast<double>(s.cut_off) <= context.options.depth_share * static_cast<double>(s.rays))
     return;
   const Line line = most_common(s.cut_off_at);
-  lang::Diagnostic& d = context.findings.warn("W0304", line,
+  lang::Diagnostic& d = context.findings.warn(lang::lint_rule::depth_reached, line,
                                               fmt::format("{} of the pixels lose light at `max_depth` ({})",
                                                           percent(s.cut_off, s.rays), context.scene.max_depth));
   d.label = "most of it here";

@@ -101,7 +101,7 @@ private:
         return is_within && wall.side(leaf.box.center()) * eye < 0; // what lies flat in the plane is not behind it
       });
       if (!is_behind) continue;
-      lang::Diagnostic& d = context_.findings.warn("W0207", line,
+      lang::Diagnostic& d = context_.findings.warn(lang::lint_rule::hidden, line,
                                                    fmt::format("{} is hidden: it lies entirely behind {}",
                                                                things(unseen), context_.findings.name(*wall.object)));
       d.label = "no ray of the picture can reach it";
@@ -114,8 +114,9 @@ private:
   }
 
   void tell_small(Line line, const Unseen& unseen) {
-    lang::Diagnostic& d = context_.findings.warn(
-        "W0206", line, fmt::format("{} is smaller than a pixel, and no pixel shows it", things(unseen)));
+    lang::Diagnostic& d =
+        context_.findings.warn(lang::lint_rule::too_small, line,
+                               fmt::format("{} is smaller than a pixel, and no pixel shows it", things(unseen)));
     d.label = fmt::format("at most {:.2g} pixels across", unseen.largest);
     d.notes.push_back({std::nullopt, "enlarge it, move the camera closer, or raise `size` and `samples`"});
   }
@@ -130,7 +131,7 @@ private:
     if (!first) return;
     const scene::Object& hull = thing_of(first->objects);
     lang::Diagnostic& d = context_.findings.warn(
-        "W0207", line,
+        lang::lint_rule::hidden, line,
         fmt::format("{} is hidden: it lies entirely inside {}", things(unseen), context_.findings.name(hull)));
     d.label = "no ray of the picture can reach it";
     d.notes.push_back(context_.findings.note(line_of(hull.origin), "this opaque solid surrounds it"));

@@ -172,20 +172,21 @@ void find_empty_view(LintContext& context) {
   const Projector projector(scene);
   const Box3 box = scene::finite_bounds(scene);
   if (box.is_empty()) {
-    lang::Diagnostic& d = context.findings.warn("W0203", line, "nothing is in view");
+    lang::Diagnostic& d = context.findings.warn(lang::lint_rule::nothing_in_view, line, "nothing is in view");
     d.notes.push_back({std::nullopt, "everything is infinite, and lies behind the camera or outside its view"});
     return;
   }
   const std::string middle = rounded(box.center());
   const bool is_behind = std::ranges::all_of(corners(box), [&](const Vec3& p) { return projector.depth(p) <= 0; });
   if (is_behind) {
-    lang::Diagnostic& d = context.findings.warn("W0204", line, "everything is behind the camera");
+    lang::Diagnostic& d =
+        context.findings.warn(lang::lint_rule::behind_camera, line, "everything is behind the camera");
     d.label = fmt::format("it looks from {} at {}", rounded(scene.camera.at), rounded(scene.camera.look_at));
     d.notes.push_back(
         {std::nullopt, fmt::format("the centre of all things is at {}: write `look_at: {}`", middle, middle)});
     return;
   }
-  lang::Diagnostic& d = context.findings.warn("W0203", line, "nothing is in view");
+  lang::Diagnostic& d = context.findings.warn(lang::lint_rule::nothing_in_view, line, "nothing is in view");
   const auto extent = projector.extent(box);
   if (extent && extent->width < 1 && extent->height < 1 && extent->is_in_view) {
     d.label = "everything is smaller than a pixel";

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "lang/diagnostics/diagnostic.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Mistakes that check finds where it can, and evaluation where only the values tell: one function a code.
+namespace rt::lang::errors {
+
+Diagnostic no_value_yet(Span place, std::string message, std::string label, std::vector<Note> notes = {});
+/// The owner of a block has no such property.
+Diagnostic no_property(Span place, std::string message, std::string label, std::vector<Note> notes = {});
+Diagnostic property_set_twice(Span place, std::string_view name, Span first);
+/// Two properties of different forms, which say the same in two ways.
+Diagnostic two_forms(Span place, std::string_view name, Span other_place, std::string_view other);
+/// The arguments of a call do not fit the parameters.
+Diagnostic wrong_arguments(Span place, std::string message, std::string label, std::vector<Note> notes = {});
+/// A thing is called like a function.
+Diagnostic called_thing(Span place, std::string_view thing, std::string label);
+/// What stands before braces or a dot is no thing.
+Diagnostic no_thing(Span place, std::string message, std::string label);
+/// What stands behind a dot does not exist.
+Diagnostic no_member(Span place, std::string message, std::string label);
+/// More things, lists or loops' names than there is room for.
+Diagnostic too_deep(Span place, std::string message, std::string label = {});
+
+} // namespace rt::lang::errors

@@ -16,7 +16,7 @@ struct AnalyseOptions {
   std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value, the value as an expression's text
   std::vector<std::string> include_roots; ///< folders beyond the scene's own that `include` and `use` may read from
   const FileSystem* files = &disk();
-  bool lint = false;             ///< also look for what is well formed and hardly meant: `Report::remarks`
+  bool lint = false;             ///< also look for what is well formed but probably not meant: `Report::remarks`
   bool keeps_references = false; ///< `Program::references`, of each item, however many are alike
 };
 

@@ -132,7 +132,7 @@ DeclarationId ItemChecker::declare(const Unit& unit, NodeId name, NodeId item, D
                                               scopes_.is_at_top_level() && what != Declaration::What::parameter});
 }
 
-// The name that a line in error was to declare is known, so that nothing is said of those who read it.
+// The name that a line in error was to declare is known, so that its uses are not reported as well.
 void ItemChecker::declare_error(Unit& unit, NodeId item) {
   const Symbol symbol = unit.ast.error_name(item);
   if (symbol == no_symbol) return;

@@ -123,7 +123,7 @@ std::optional<Span> bound_in_closed_block(const Ast& ast, std::uint32_t place, S
 
 } // namespace
 
-// A name that is bound in a later line, or gets its value from the line at hand.
+// A name that is bound in a later line, or gets its value from the line being read.
 bool NameResolver::report_early(const Unit& unit, NodeId node) {
   const Symbol symbol = unit.ast.symbol(node);
   const Span span = unit.ast.span(node);

@@ -10,7 +10,7 @@ void check_property(CheckContext& context, Unit& unit, NodeId item, const Owner&
 void check_duplicates(CheckContext& context, const Unit& unit, NodeId block, const Owner& owner);
 /// Fields of a record that are written twice.
 void check_record_fields(CheckContext& context, const Unit& unit, NodeId record);
-/// Nothing but properties, each once and of one form: evaluated without further ado.
+/// Nothing but properties, each once and of one form: evaluation need not look for anything else.
 bool is_simple_block(const Unit& unit, NodeId block, const NodeType& type);
 
 } // namespace rt::lang

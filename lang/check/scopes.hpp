@@ -8,7 +8,7 @@
 
 namespace rt::lang {
 
-/// What a name at hand stands for. `error`: the line that declares it is in error, and nothing more is said.
+/// What a visible name stands for. `error`: the line that declares it is in error, and nothing more is said.
 enum class Meaning : std::uint8_t { value, function, module, error };
 
 /// A name that is known where check stands.

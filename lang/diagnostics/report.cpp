@@ -142,7 +142,7 @@ std::vector<Diagnostic> Report::diagnostics() const {
   std::vector<Diagnostic> all = sorted(diagnostics_);
   if (is_cut_)
     all.back().notes.push_back(
-        {std::nullopt, fmt::format("there is more that is wrong: only {} mistakes are told at once", most)});
+        {std::nullopt, fmt::format("there are more mistakes: only {} mistakes are reported at once", most)});
   return all;
 }
 

@@ -33,7 +33,7 @@ public:
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }
   /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a
-  /// model stands for, the first one's place is told and no other's.
+  /// model stands for, only the first one's place is reported.
   Diagnostic* remark(std::string_view code, Span span);
   /// The same, filled in.
   void remark(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes = {});

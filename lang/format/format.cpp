@@ -246,7 +246,7 @@ private:
   std::string out_;
   std::size_t line_ = 0;       ///< where the current line begins
   std::size_t comment_ = none; ///< where its comment begins
-  std::size_t widest_ = 0;     ///< of the lines of the entry at hand
+  std::size_t widest_ = 0;     ///< of the lines of the current entry
 };
 
 } // namespace

@@ -22,7 +22,7 @@ struct Open {
   bool holds_statements = false;
 };
 
-// Where the cursor stands, as far as the text before it tells.
+// Where the cursor stands, as far as the text before it shows.
 struct Place {
   std::size_t begin = 0;     // of the word that is being typed
   std::string_view before;   // the token before that word; empty at the beginning of a line

@@ -297,14 +297,14 @@ void SessionChange::renew_dependents() {
       goes_on = true;
     }
   }
-  tell_dependents(renewed);
+  report_dependents(renewed);
 }
 
-void SessionChange::tell_dependents(const std::vector<std::string>& renewed) {
+void SessionChange::report_dependents(const std::vector<std::string>& renewed) {
   for (const std::string& name : replaced_) changes.push_back(fmt::format("{} replaced", name));
   constexpr std::size_t most = 4;
   for (std::size_t i = 0; i < std::min(renewed.size(), most); ++i)
-    changes.push_back(fmt::format("made anew: {}", renewed[i]));
+    changes.push_back(fmt::format("rebuilt: {}", renewed[i]));
   if (renewed.size() > most) changes.push_back(fmt::format("and {} more", renewed.size() - most));
 }
 

@@ -92,7 +92,7 @@ private:
   void mark_changed(const Statement& statement, std::size_t position);
   bool is_affected(const Statement& statement, std::size_t position) const;
   void renew_dependents();
-  void tell_dependents(const std::vector<std::string>& renewed);
+  void report_dependents(const std::vector<std::string>& renewed);
   bool check();
   struct Mentioned {
     std::vector<bool> symbols;

@@ -59,7 +59,7 @@ Document SessionChange::assemble() {
   return builder.finish();
 }
 
-// The symbols in the texts that are checked anew; nothing where a file is included, whose text is not known yet.
+// The symbols in the texts that are checked again; nothing where a file is included, whose text is not known yet.
 std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() const {
   Mentioned mentioned{std::vector<bool>(core_.program.symbols.size())};
   const Unit* last = nullptr;

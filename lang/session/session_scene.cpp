@@ -105,7 +105,7 @@ public:
   template <class Placed>
   void cut(std::span<const Placed> placed, std::uint32_t enough) {
     Hasher hasher;
-    std::size_t first = 0; // of the stretch at hand
+    std::size_t first = 0; // of the current range
     for (std::size_t i = 0; i < placed.size(); ++i) {
       if (placed[i].end - placed[i].begin >= enough / 4) { // is one by itself
         leave(placed.subspan(first, i - first), enough);

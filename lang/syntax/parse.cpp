@@ -30,7 +30,7 @@ std::optional<Diagnostic> not_utf8(const SourceFile& source, FileId file) {
   if (!at) return std::nullopt;
   const auto begin = static_cast<std::uint32_t>(*at);
   const auto byte = static_cast<unsigned char>(source.text[*at]);
-  return errors::not_utf8({file, begin, begin + 1}, fmt::format("the byte 0x{:02x} here is no UTF-8", byte),
+  return errors::not_utf8({file, begin, begin + 1}, fmt::format("the byte 0x{:02x} here is not UTF-8", byte),
                           "save the file in the encoding UTF-8");
 }
 

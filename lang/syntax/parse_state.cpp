@@ -259,7 +259,7 @@ void ParseState::close_param(std::uint32_t end) {
   build.close_linked_head(Kind::param, end);
 }
 
-// The end of the file with brackets open. The grammar knows which are open, the indentation tells which were forgotten.
+// The end of the file with brackets open. The grammar knows which are open, the indentation shows which were forgotten.
 void ParseState::fail_at_end() {
   const auto end = static_cast<std::uint32_t>(text.size());
   if (!is_at_end_) {

@@ -55,7 +55,7 @@ public:
   bool may_edit_previous() const { return options.is_session && build.count() == 0 && open_.empty(); }
   bool follows_line() const { return follows_line_; }
 
-  // What the grammar tells
+  // Called by the grammar
   void begin_items();
   void separator(bool is_newline) { follows_line_ = is_newline; }
   struct Modes {

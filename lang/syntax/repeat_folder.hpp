@@ -65,7 +65,7 @@ private:
   AstBuilder& builder_;
   std::vector<Block> blocks_;
   std::vector<Model> models_;    ///< of all open blocks, the innermost last
-  std::vector<double> literals_; ///< of the item at hand
+  std::vector<double> literals_; ///< of the current item
 };
 
 } // namespace rt::lang

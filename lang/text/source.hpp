@@ -10,7 +10,7 @@ namespace rt::lang {
 /// Index of a file in a `SourceMap`.
 using FileId = std::uint32_t;
 
-/// A stretch of a source file: byte offsets, `end` exclusive.
+/// A range of a source file: byte offsets, `end` exclusive.
 struct Span {
   FileId file = 0;
   std::uint32_t begin = 0;

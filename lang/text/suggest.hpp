@@ -8,7 +8,7 @@
 namespace rt::lang {
 
 /// How many insertions, deletions, replacements and swaps of neighbours turn one word into the other
-/// (optimal string alignment), not counting beyond `limit`: anything farther gives `limit + 1`.
+/// (optimal string alignment), not counting beyond `limit`: anything further gives `limit + 1`.
 int edit_distance(std::string_view from, std::string_view to, int limit);
 
 /// The candidate that `word` most likely meant, or nothing where none is close enough to be worth a guess.

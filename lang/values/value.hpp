@@ -215,7 +215,7 @@ std::uint64_t hash(const Value& value);
 std::string describe(const Value& value);
 /// "1 argument", "2 arguments".
 std::string count_of_arguments(std::size_t count);
-/// As `str` gives it and a session prints it; `names` tells the names of records' fields.
+/// As `str` gives it and a session prints it; `names` knows the names of records' fields.
 std::string format(const Value& value, const SymbolTable& names);
 
 inline const std::string& Value::text() const {

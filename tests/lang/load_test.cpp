@@ -22,7 +22,7 @@ TEST_CASE("load: a sphere on a plane, with a colour") {
   CHECK(std::get<Color>(scene.materials[0].color) == Color{1, 0, 0});
 }
 
-TEST_CASE("load: mistakes of all stages are told in the order of their places") {
+TEST_CASE("load: mistakes of all stages are reported in the order of their places") {
   const Loaded loaded = load("sphere { radius: \"a\" }\nsphere { raduis: 2 }\nsphere { radius: -1 }\nsphere { radius: "
                              "}\nsphere { radius: r }");
   CHECK(errors(loaded) == std::vector<std::string>{"E0301", "E0204", "E0302", "E0101", "E0201"});

@@ -66,7 +66,7 @@ void missing_argument(CheckContext& context, Span place, const Callee& callee, s
 }
 
 void method_without_thing(CheckContext& context, Span place, std::string_view method) {
-  context.report.add(no_thing(place, fmt::format("`{}` is written behind a thing", method),
+  context.report.add(no_thing(place, fmt::format("`{}` is written after a thing", method),
                               fmt::format("write `thing.{}(…)`", method)));
 }
 

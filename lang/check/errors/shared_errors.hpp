@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Mistakes that check finds where it can, and evaluation where only the values tell: one function a code.
+/// Mistakes that check finds where it can, and evaluation where only the values show them: one function a code.
 namespace rt::lang::errors {
 
 Diagnostic no_value_yet(Span place, std::string message, std::string label, std::vector<Note> notes = {});

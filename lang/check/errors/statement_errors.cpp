@@ -30,7 +30,7 @@ void expect_below_top_level(Report& report, Span place) {
 }
 
 void claim_of_no_ray(Report& report, Span place, Claim claim) {
-  report.error("E0218", place, fmt::format("`{}` is said of a ray", spelling(claim)),
+  report.error("E0218", place, fmt::format("`{}` needs a ray before it", spelling(claim)),
                "write `pixel(x, y)`, `image_point(x, y)` or `ray(origin, direction)`");
 }
 

@@ -5,8 +5,8 @@
 
 namespace rt::lang {
 
-/// Warns of what is well formed and hardly meant, as far as the text alone shows it. The program is checked, and its
-/// references are kept.
+/// Warns of what is well formed but probably not meant, as far as the text alone shows it. The program is checked, and
+/// its references are kept.
 void lint_text(const Program& program, Report& report);
 
 /// Names that lead to nothing in the scene.

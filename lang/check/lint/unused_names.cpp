@@ -99,7 +99,7 @@ std::vector<bool> ReadGraph::needed() const {
   return needed;
 }
 
-// A name is passed over where that nobody needs it follows from another name that is reported.
+// A name that only unused names read is not reported: the report of those explains it.
 void ReadGraph::report_unused(Report& report) const {
   const std::vector<bool> is_needed = needed();
   std::vector<bool> is_explained(names_.size());

@@ -8,7 +8,7 @@ std::span<const Code> names() {
   static const std::vector<Code> table = {
       {"E0201", "A name is not known",
        "Nothing is called that: no name bound with `=` before this line, no `def` or `fn` of this block or one around "
-       "it, no thing, function or colour of the language. Names tell capitals from small letters.",
+       "it, no thing, function or colour of the language. Names are case-sensitive.",
        "wood = material { color: peru }\nsphere { material: wod }",
        "wood = material { color: peru }\nsphere { material: wood }"},
       {"E0202", "A name is bound twice",

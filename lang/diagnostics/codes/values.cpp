@@ -38,7 +38,7 @@ std::span<const Code> values() {
       {"E0308", "A list has no such element",
        "Elements are counted from 0: a list of three has `l[0]`, `l[1]` and `l[2]`, and from its end `l[-1]`, `l[-2]` "
        "and "
-       "`l[-3]`. `len(l)` tells how many there are.",
+       "`l[-3]`. `len(l)` says how many there are.",
        "sizes = [1, 2, 3]\nsphere { radius: sizes[3] }", "sizes = [1, 2, 3]\nsphere { radius: sizes[2] }"},
       {"E0309", "A function takes another kind of argument",
        "The message says what the parameter takes and what it was given.", "sphere { radius: sqrt(\"2\") }",

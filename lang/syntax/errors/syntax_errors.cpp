@@ -198,7 +198,7 @@ private:
                    word == "if" ? "`(if a { b } else { c })`" : "`(fn (x) => x)`");
     }
     if (expected_ == Expected::expression && word == "for") {
-      return error(errors::unexpected, "`for` is no value", "`[x * x for x in xs]` makes a list");
+      return error(errors::unexpected, "`for` is not a value", "`[x * x for x in xs]` makes a list");
     }
     if (expected_ == Expected::item && (word == "and" || word == "or" || word == "by")) return led_by_operator();
     if (expected_ == Expected::expression) {

@@ -46,12 +46,13 @@ Diagnostic look_alike(Span span, std::string_view c, char32_t code) {
     return errors::meaningless_character(span, "typographic quotes do not delimit a string", "write `\"`");
   }
   if (code == 0xa0)
-    return errors::meaningless_character(span, "a no-break space is no space here", "type the space anew");
+    return errors::meaningless_character(span, "a no-break space does not count as a space here",
+                                         "type the space again");
   if (code == 0x2212 || code == 0x2013) {
-    return errors::meaningless_character(span, fmt::format("`{}` is no minus sign", c), "write `-`");
+    return errors::meaningless_character(span, fmt::format("`{}` is not a minus sign", c), "write `-`");
   }
   if (code == 0xd7 || code == 0xb7) {
-    return errors::meaningless_character(span, fmt::format("`{}` is no operator", c), "write `*`");
+    return errors::meaningless_character(span, fmt::format("`{}` is not an operator", c), "write `*`");
   }
   if (is_control(code)) {
     return errors::meaningless_character(
@@ -90,7 +91,7 @@ Diagnostic misplaced_hash(Span span, std::string_view text) {
     return errors::hash_comment(span, "`#` begins a colour, not a comment", "comments begin with `//`");
   }
   const bool declares = word == "declare" || word == "local";
-  return errors::foreign_statement(span, fmt::format("`#{}` is no statement here", word),
+  return errors::foreign_statement(span, fmt::format("`#{}` is not a statement here", word),
                                    declares            ? "`name = value` gives a value a name"
                                    : word == "include" ? "`include \"file.rtl\"`"
                                                        : "there are no directives");

@@ -109,7 +109,7 @@ Diagnostic malformed_color(Span span, std::string_view text) {
   const std::string_view digits = text.substr(1);
   const auto wrong = std::find_if_not(digits.begin(), digits.end(), is_hex_digit);
   if (wrong != digits.end()) {
-    return errors::malformed_color(span, fmt::format("`{}` is no hexadecimal digit", *wrong),
+    return errors::malformed_color(span, fmt::format("`{}` is not a hexadecimal digit", *wrong),
                                    "a colour is `#rgb` or `#rrggbb`");
   }
   return errors::malformed_color(span, fmt::format("a colour has 3 or 6 digits, this one has {}", digits.size()),

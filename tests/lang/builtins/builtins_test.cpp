@@ -114,7 +114,7 @@ TEST_CASE("ranges: as many elements as the formula says, in spite of rounding") 
   CHECK(number("len(range(5)) + len(range(2, 5)) + len(range(0, 1, 0.25))") == 12);
 }
 
-TEST_CASE("builtins: a function written like a method is told where it stands here") {
+TEST_CASE("builtins: a function written like a method is reported where it stands here") {
   const Loaded loaded = load("a = [1, 2, 3].map(fn(x) => x)\nb = \"abc\".len\nsphere {}");
   REQUIRE(errors(loaded) == std::vector<std::string>{"E0212", "E0212"});
   CHECK(loaded.diagnostics[0].label == "a function stands in front: `map(…)`");

@@ -109,7 +109,7 @@ TEST_CASE("files: modules use modules") {
   CHECK(loaded.scene->shapes.all<scene::Sphere>()[1].radius == 4);
 }
 
-TEST_CASE("files: cycles are told") {
+TEST_CASE("files: cycles are reported") {
   Folder folder;
   folder.write("a.rtl", "include \"b.rtl\"\n");
   folder.write("b.rtl", "use \"a.rtl\" as a\n");
@@ -148,7 +148,8 @@ TEST_CASE("files: nothing outside of the scene's folder is read, not even throug
   CHECK(codes("secret.rtl", options).empty()); // looked for in the added folders, too
 }
 
-TEST_CASE("files: where a file is missing, one of a like name is told, but not from outside of the scene's folder") {
+TEST_CASE(
+    "files: where a file is missing, one of a like name is reported, but not from outside of the scene's folder") {
   const DiskFolder folder;
   folder.write("secret.rtl", "");
   folder.write("scene/walls.rtl", "");

@@ -52,7 +52,7 @@ TEST_CASE("lint: a thing that is bound must be placed") {
   CHECK(remarks("die = box {} & sphere { radius: 0.7 }\nplane {}") == "W0101 at 1:1");
 }
 
-TEST_CASE("lint: what leads only to a thing that is not placed is told once, at the end that is missing") {
+TEST_CASE("lint: what leads only to a thing that is not placed is reported once, at the end that is missing") {
   CHECK(remarks("r = 2\nball = sphere { radius: r }\nbig = ball { scale: 2 }\nbox {}") == "W0101 at 3:1");
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("lint: radians are followed through names and loops") {
   CHECK(remarks("for a in 0..<360 by 30 { box { at: [pi * cos(a), 0, 0] } }") == "");
 }
 
-TEST_CASE("lint: well-known angles in radians, rounded or cut off, are told with their degrees") {
+TEST_CASE("lint: well-known angles in radians, rounded or cut off, are reported with their degrees") {
   CHECK(message("box { rotate: [0, 1.57, 0] }") ==
         "this looks like radians, and angles are in degrees | write `90`, or `1.57rad`");
   CHECK(remarks("box {}.rotate(y: 3.1415)") == "W0104 at 1:18"); // pi = 3.14159…, cut off
@@ -158,7 +158,7 @@ TEST_CASE("lint: comments allow what is meant") {
   CHECK(remarks("text = \"// lint: allow never_used\"\nbox {}") == "W0102 at 1:1");
 }
 
-TEST_CASE("lint: a comment that it does not understand is told") {
+TEST_CASE("lint: a comment that it does not understand is reported") {
   CHECK(remarks("box {} // lint: allow hiden") == "W0001 at 1:23");
   CHECK(remarks("box {} // lint: allow") == "W0001 at 1:8");
   CHECK(remarks("box {} // lint: silence hidden") == "W0001 at 1:8");

@@ -62,7 +62,7 @@ TEST_CASE("expect: the exercises hold") {
   CHECK(scenes == 13);
 }
 
-TEST_CASE("expect: what is seen is named, and what was found instead is told") {
+TEST_CASE("expect: what is seen is named, and what was found instead is reported") {
   CHECK(tried(one_ball + "expect pixel(2, 2) hits ball\nexpect pixel(2, 2) hits \"ball\"\nexpect pixel(0, 0) misses")
             .expectations.passed == 3);
   const std::string text = failure(one_ball + "other = sphere { at: [9, 9, 9] }\nexpect pixel(2, 2) hits other");

@@ -58,7 +58,7 @@ TEST_CASE("limits: what calls itself without end leaves the rest of the file to 
   CHECK(errors("def a() { group { a {} } }\nif true { a {} }\nbox { size: -1 }") == Codes{"E0502", "E0302"});
 }
 
-TEST_CASE("limits: the call stack is told, and its middle left out") {
+TEST_CASE("limits: the call stack is reported, and its middle left out") {
   const Loaded loaded = load("fn f(n) = f(n + 1)\nsphere { radius: f(0) }");
   const Diagnostic* d = find(loaded, "E0502");
   REQUIRE(d);
@@ -98,7 +98,7 @@ TEST_CASE("limits: nested too deep is a mistake, not a crash") {
   CHECK(errors("a = fold(fn(f, i) => fn(x) => f(x) + 1, fn(x) => x, 0..<200000)\nsphere {}").empty()); // never called
 }
 
-TEST_CASE("limits: it stops when it is told to") {
+TEST_CASE("limits: it stops when asked to") {
   const std::atomic<bool> stop = true;
   LoadOptions options;
   options.stop = &stop;

@@ -267,7 +267,7 @@ TEST_CASE("materials: colours, patterns and records serve as materials") {
   CHECK(changed.materials[0].reflect == black);
 }
 
-TEST_CASE("materials: a record's misspelt property is told where its name stands, with what others call it") {
+TEST_CASE("materials: a record's misspelt property is reported where its name stands, with what others call it") {
   const Loaded loaded = load("sphere { material: { shinyness: 3, colour: red } }");
   REQUIRE(errors(loaded) == std::vector<std::string>{"E0204", "E0204"});
   CHECK(loaded.diagnostics[0].span.begin == 21);

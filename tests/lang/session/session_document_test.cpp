@@ -50,7 +50,7 @@ TEST_CASE("session: things of a loaded file can be changed like others") {
         std::string::npos);
 }
 
-TEST_CASE("session: a file with mistakes is not loaded, and all of them are told") {
+TEST_CASE("session: a file with mistakes is not loaded, and all of them are reported") {
   const Folder folder;
   const std::string path = folder.write("scene.rtl", "sphere { raduis: 1 }\nbox { sizze: 2 }\n");
   SessionDriver talk;

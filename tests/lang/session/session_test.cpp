@@ -59,7 +59,7 @@ TEST_CASE("session: binding a name again replaces its line, and what depends on 
   // r itself, d and the sphere; not the box.
   CHECK(talk.session.counters().statements_evaluated - before.statements_evaluated == 3);
   CHECK(result.changes ==
-        std::vector<std::string>{"r replaced", "made anew: d = 2 * r", "made anew: sphere { radius: d }"});
+        std::vector<std::string>{"r replaced", "rebuilt: d = 2 * r", "rebuilt: sphere { radius: d }"});
 }
 
 TEST_CASE("session: functions and nouns that are redefined change what calls them, also through each other") {

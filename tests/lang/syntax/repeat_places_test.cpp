@@ -43,7 +43,7 @@ std::string lines(int count, const std::function<std::string(int)>& line) {
 
 } // namespace
 
-TEST_CASE("repeats: a wrong value in the midst of a long list is told in its own line") {
+TEST_CASE("repeats: a wrong value in the midst of a long list is reported in its own line") {
   const auto sphere = [](int i) {
     return "sphere { at: [" + std::to_string(i) +
            ", -1, 0], radius: " + (i == 40 || i == 45 || i == 60 ? "-2.5" : "1") + " }";
@@ -52,7 +52,7 @@ TEST_CASE("repeats: a wrong value in the midst of a long list is told in its own
         std::vector<Told>{{"E0302", 40, "-2.5"}, {"E0302", 45, "-2.5"}, {"E0302", 60, "-2.5"}});
 }
 
-TEST_CASE("repeats: a mistake in the wording is told for every line") {
+TEST_CASE("repeats: a mistake in the wording is reported for every line") {
   const std::vector<Told> all = told(lines(50, [](int i) { return "sphere { raduis: " + std::to_string(i) + " }"; }));
   REQUIRE(all.size() == 50);
   for (std::uint32_t i = 0; i < 50; ++i) CHECK(all[i] == Told{"E0204", i + 1, "raduis"});
@@ -66,7 +66,7 @@ TEST_CASE("repeats: the same words in another layout have their own places too")
   CHECK(told(scene) == std::vector<Told>{{"E0310", 32, "-1"}});
 }
 
-TEST_CASE("repeats: what calls itself without end is told where it was called") {
+TEST_CASE("repeats: what calls itself without end is reported where it was called") {
   const Loaded loaded =
       load("fn f(x) = f(x)\n" + lines(40, [](int i) { return "sphere { radius: f(" + std::to_string(i) + ") }"; }));
   const Diagnostic* d = find(loaded, "E0502");
@@ -74,12 +74,12 @@ TEST_CASE("repeats: what calls itself without end is told where it was called") 
   CHECK(loaded.sources.position(0, d->call_stack.back().span->begin).line == 2);
 }
 
-TEST_CASE("repeats: where there is no end of mistakes, the last that is told says so") {
+TEST_CASE("repeats: where there is no end of mistakes, the last that is reported says so") {
   const Loaded loaded = load(lines(2'000, [](int i) { return "sphere { raduis: " + std::to_string(i) + " }"; }));
   CHECK(loaded.diagnostics.size() == Report::most);
   REQUIRE_FALSE(loaded.diagnostics.back().notes.empty());
   CHECK(loaded.diagnostics.back().notes.back().message ==
-        "there is more that is wrong: only 1000 mistakes are told at once");
+        "there are more mistakes: only 1000 mistakes are reported at once");
 }
 
 TEST_CASE("diagnostics: of a line that is a file long, what is about the carets is shown") {

@@ -214,7 +214,7 @@ TEST_CASE("repeats: a number whose next line begins with a dot is part of someth
   }
 }
 
-TEST_CASE("repeats: what a record must not hold is told of item by item") {
+TEST_CASE("repeats: what a record must not hold is reported item by item") {
   std::string record = "r = {\n";
   for (int i = 0; i < 24; ++i) record += "sphere { at: [" + std::to_string(i) + ", 0, 0] }\n";
   CHECK(parse_text(record + "}\n", folding).codes() == std::vector<std::string>(24, "E0132"));

@@ -32,19 +32,18 @@ void ItemChecker::check_value_block(Unit& unit, NodeId block, std::string_view w
   for (const NodeId item : items) {
     const Kind kind = unit.ast.kind(item);
     const bool is_last = item == items.back();
-    const bool is_declaration = kind == Kind::bind || kind == Kind::def || kind == Kind::fn || kind == Kind::error ||
-                                kind == Kind::use || kind == Kind::include;
     const bool is_statement = kind == Kind::property || kind == Kind::for_ || kind == Kind::param;
-    if (is_declaration || is_statement || kind == Kind::expect)
+    const bool binds = is_declaration(kind) && !is_statement;
+    if (binds || is_statement || kind == Kind::expect)
       check(unit, item);
     else
       check_value(unit, item);
     if (kind == Kind::error || kind == Kind::expect) continue;
     if (is_statement)
       complain(item, "this is not a value");
-    else if (!is_last && !is_declaration)
+    else if (!is_last && !binds)
       complain(item, "only the last line gives the value");
-    else if (is_last && is_declaration)
+    else if (is_last && binds)
       complain(item, "the value is missing after this");
   }
   if (items.empty()) complain(block, "there is no value in it");

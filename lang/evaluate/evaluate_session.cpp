@@ -14,22 +14,8 @@ bool is_placed(const Value& value) {
 }
 
 bool is_expression(Kind kind) {
-  switch (kind) {
-  case Kind::error:
-  case Kind::include:
-  case Kind::use:
-  case Kind::param:
-  case Kind::def:
-  case Kind::fn:
-  case Kind::for_:
-  case Kind::if_:
-  case Kind::bind:
-  case Kind::property:
-  case Kind::repeat:
-    return false;
-  default:
-    return true;
-  }
+  const bool is_statement = kind == Kind::for_ || kind == Kind::if_ || kind == Kind::property || kind == Kind::repeat;
+  return !is_statement && !is_declaration(kind);
 }
 
 } // namespace

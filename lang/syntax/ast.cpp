@@ -95,6 +95,21 @@ void Ast::become(const Repeat& repeat, std::uint32_t i) {
   nodes[model].end = repeat_spans[repeat.first_span + i].end;
 }
 
+bool is_declaration(Kind kind) {
+  switch (kind) {
+  case Kind::error:
+  case Kind::include:
+  case Kind::use:
+  case Kind::param:
+  case Kind::def:
+  case Kind::fn:
+  case Kind::bind:
+    return true;
+  default:
+    return false;
+  }
+}
+
 std::string_view spelling(Claim claim) {
   switch (claim) {
   case Claim::near:

@@ -244,6 +244,8 @@ public:
   }
 };
 
+/// Whether it is an item that binds names, and places nothing: also one in error, which may have been to.
+bool is_declaration(Kind kind);
 /// How a claim is written: "hits"; empty for one without a word.
 std::string_view spelling(Claim claim);
 /// How an operator is written.

@@ -13,21 +13,6 @@ namespace {
 constexpr std::uint32_t shortest_block = 16; // below that there is nothing to gain
 constexpr std::size_t most_models = 64;      // wordings that all differ are not worth keeping
 
-bool is_declaration(Kind kind) {
-  switch (kind) {
-  case Kind::error:
-  case Kind::include:
-  case Kind::use:
-  case Kind::param:
-  case Kind::def:
-  case Kind::fn:
-  case Kind::bind:
-    return true;
-  default:
-    return false;
-  }
-}
-
 // What has neither a scope nor an order of its own.
 bool is_plain(Kind kind) {
   switch (kind) {

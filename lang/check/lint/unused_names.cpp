@@ -10,20 +10,7 @@ namespace {
 
 /// A file that places nothing and says nothing of the scene is there for others to use.
 bool places_nothing(const Ast& ast) {
-  return std::ranges::all_of(ast.children(ast.root), [&](NodeId item) {
-    switch (ast.kind(item)) {
-    case Kind::bind:
-    case Kind::def:
-    case Kind::fn:
-    case Kind::param:
-    case Kind::use:
-    case Kind::include:
-    case Kind::error:
-      return true;
-    default:
-      return false;
-    }
-  });
+  return std::ranges::all_of(ast.children(ast.root), [&](NodeId item) { return is_declaration(ast.kind(item)); });
 }
 
 /// Which declarations read which.

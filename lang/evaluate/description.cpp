@@ -6,7 +6,6 @@ namespace rt::lang {
 namespace {
 
 using scene::FieldValue;
-using scene::Paint;
 
 std::vector<Vec3> points(const Value& value) {
   std::vector<Vec3> list;
@@ -32,6 +31,7 @@ DescriptionWriter::DescriptionWriter(const SourceMap& sources, scene::Builder& b
     : sources_(sources), builder_(builder) {}
 
 FieldValue DescriptionWriter::field_value(const Property& property, const Value& value) {
+  if (property.is_textured() && is_pattern(value)) return pattern(value.thing());
   switch (property.type) {
   case PropertyType::number:
     return value.number();
@@ -43,10 +43,6 @@ FieldValue DescriptionWriter::field_value(const Property& property, const Value&
     return size(value);
   case PropertyType::color:
     return *as_color(value);
-  case PropertyType::paint:
-  case PropertyType::number_paint:
-    if (is_pattern(value)) return Paint(pattern(value.thing()));
-    return Paint(*as_color(value));
   case PropertyType::points:
     return points(value);
   case PropertyType::choice:
@@ -114,12 +110,13 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
 scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   if (thing.built != 0xffffffff) return scene::PatternId{thing.built};
   scene::Pattern made;
-  made.kind = thing.type->pattern;
+  made.layout = thing.type->pattern;
+  void* const layout = std::visit([](auto& of_kind) -> void* { return &of_kind; }, made.layout);
   ObjectAttributes attributes_of;
   for (const PropertyValue& p : thing.properties) {
     const Property& property = thing.type->properties[p.id];
     if (property.common == Common::none)
-      property.field->set(&made, field_value(property, p.value));
+      property.field->set(layout, field_value(property, p.value));
     else
       apply(attributes_of, property, p.value);
   }

@@ -204,7 +204,9 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const Thing& thing = material->thing();
   const PropertyValue* refract = thing.find(*thing.type->find(std::string_view("refract")));
   const PropertyValue* ior = thing.find(*thing.type->find(std::string_view("ior")));
-  const bool bends_nothing = refract && !ior && refract->value.is_number() && refract->value.number() > 0;
+  if (!refract || ior) return;
+  const Value& share = refract->value;
+  const bool bends_nothing = is_pattern(share) || (share.is_number() && share.number() > 0);
   if (!bends_nothing || !builder_.open_part(made).empty()) return;
   if (Diagnostic* d = report_.remark(lint_rule::no_ior.code, refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
@@ -256,7 +258,8 @@ void Evaluator::put_light(const ThingView& described, Target& target) {
   Room room(type.maker);
   if (!make(described, room.get())) return;
   const auto attributes = attributes_of(described, nullptr);
-  if (described.chain && scene::flattens({{1, 1, 1}, {}, {}, described.chain->steps})) return fail_flattened(described.place);
+  if (described.chain && scene::flattens({{1, 1, 1}, {}, {}, described.chain->steps}))
+    return fail_flattened(described.place);
   count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
   light.source = type.maker.light(room.get());

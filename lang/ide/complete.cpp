@@ -138,6 +138,10 @@ public:
     for (const Program::LibraryName& name : session_.program().library_names)
       add(session_.program().symbols.name(name.name));
   }
+  void add_types(Category category) {
+    for (const NodeType& type : nouns_.all())
+      if (type.category == category) add(type.name);
+  }
   void add_colors() {
     for (const CssColor& color : css_colors()) add(color.name);
   }
@@ -197,6 +201,7 @@ private:
       return;
     }
     add("if");
+    if (property->is_textured()) add_types(Category::pattern);
     switch (property->type) {
     case PropertyType::boolean:
       add("true");
@@ -206,10 +211,8 @@ private:
       for (const std::string_view choice : property->choices) add(choice);
       break;
     case PropertyType::material:
-    case PropertyType::paint:
-    case PropertyType::number_paint:
-      for (const NodeType& type : nouns_.all())
-        if (type.category == Category::pattern || type.category == Category::material) add(type.name);
+      add_types(Category::material);
+      add_types(Category::pattern);
       add_colors();
       break;
     case PropertyType::color:

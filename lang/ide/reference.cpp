@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 11> section_names = {
 std::string type_text(const Property& property) {
   switch (property.type) {
   case PropertyType::number:
-    return property.constraint.is_whole ? "whole number" : "number";
+    return property.is_textured() ? "number or pattern" : property.constraint.is_whole ? "whole number" : "number";
   case PropertyType::boolean:
     return "true or false";
   case PropertyType::vector:
@@ -28,11 +28,7 @@ std::string type_text(const Property& property) {
   case PropertyType::size:
     return "vector or number";
   case PropertyType::color:
-    return "colour or number";
-  case PropertyType::paint:
-    return "colour, number or pattern";
-  case PropertyType::number_paint:
-    return "number or pattern";
+    return property.is_textured() ? "colour, number or pattern" : "colour or number";
   case PropertyType::points:
     return "list of points";
   case PropertyType::choice:

@@ -3,6 +3,7 @@
 #include "lang/session/session_text.hpp"
 #include "renderer/math/hashing.hpp"
 #include "renderer/scene/defaults.hpp"
+#include "renderer/scene/names.hpp"
 
 #include <fmt/format.h>
 
@@ -177,30 +178,28 @@ private:
   void add(const scene::Object& object) {
     const std::string_view own =
         object.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(object.name)];
-    const std::string_view type =
-        scene_.shapes.visit(object.shape, []<class S>(const S&) -> std::string_view { return S::noun; });
     const Box3 box = scene::bounds(scene_, object);
     const bool hides = !object.is_visible;
-    put(own, kind_.empty() ? type : kind_,
+    put(own, kind_.empty() ? noun(scene_.shapes, object.shape) : kind_,
         (box.is_finite() ? "around " + text(box.center()) : std::string("endless")) + (hides ? ", not visible" : ""));
   }
 
   void add(const scene::Light& light) {
     const std::string_view own =
         light.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(light.name)];
-    struct Describe {
-      std::pair<std::string_view, std::string> operator()(const scene::PointLight& l) const {
-        return {"light", "at " + text(l.at)};
-      }
-      std::pair<std::string_view, std::string> operator()(const scene::SunLight& l) const {
-        return {"sun", "along " + text(l.direction)};
-      }
-      std::pair<std::string_view, std::string> operator()(const scene::SpotLight& l) const {
-        return {"spot", fmt::format("{} to {}", text(l.at), text(l.look_at))};
-      }
-    };
-    const auto [kind, place] = std::visit(Describe{}, light.source);
-    put(own, kind, place);
+    put(own, noun(light.source), std::visit([](const auto& source) { return place_of(source); }, light.source));
+  }
+
+  template <class L>
+  static std::string place_of(const L& light) {
+    if constexpr (requires { light.at, light.look_at; })
+      return fmt::format("{} to {}", text(light.at), text(light.look_at));
+    else if constexpr (requires { light.at; })
+      return "at " + text(light.at);
+    else if constexpr (requires { light.direction; })
+      return "along " + text(light.direction);
+    else
+      return {};
   }
 
   void put(std::string_view name, std::string_view kind, std::string place) {

@@ -1,5 +1,7 @@
 #include "lang/values/node_types.hpp"
 
+#include "renderer/scene/names.hpp"
+
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -105,9 +107,9 @@ NodeType shape_noun() {
 }
 
 template <class L>
-NodeType light_noun(std::string_view noun_name, std::string_view help) {
+NodeType light_noun() {
   NodeType type{
-      noun_name, Category::light, help, from_fields(fields(static_cast<const L*>(nullptr))), basic_maker<L>(), {}, {},
+      L::noun, Category::light, L::help, from_fields(fields(static_cast<const L*>(nullptr))), basic_maker<L>(), {}, {},
       {}};
   type.maker.light = [](const void* made) -> scene::LightSource { return *static_cast<const L*>(made); };
   type.properties.push_back(name());
@@ -115,14 +117,16 @@ NodeType light_noun(std::string_view noun_name, std::string_view help) {
 }
 
 NodeType composite_noun(std::string_view noun_name, Category category, std::string_view help,
-                        scene::Combination::Operation operation = scene::Combination::Operation::unite) {
+                        scene::Combination::Operation operation) {
   NodeType type{noun_name, category, help, {}, {}, operation, {}, {}};
   append_common(type.properties);
   return type;
 }
 
-NodeType pattern_noun(std::string_view noun_name, scene::PatternKind kind, std::string_view help) {
-  NodeType type{noun_name, Category::pattern, help, from_fields(scene::pattern_fields()), {}, {}, kind, {}};
+template <class P>
+NodeType pattern_noun() {
+  NodeType type{P::noun, Category::pattern, P::help, from_fields(fields(static_cast<const P*>(nullptr))), {}, {}, P{},
+                {}};
   append_placement(type.properties);
   return type;
 }
@@ -134,26 +138,24 @@ NodeTypes::NodeTypes() {
   scene::ShapeKinds::for_each([&]<class S>() {
     if constexpr (!scene::is_composite<S>) nouns_.push_back(shape_noun<S>());
   });
-  nouns_.push_back(composite_noun("group", Category::group, "things that are placed together"));
   nouns_.push_back(
-      composite_noun("union", Category::combination, "solids as one, also written a | b", Operation::unite));
-  nouns_.push_back(composite_noun("intersection", Category::combination, "what solids share, also written a & b",
-                                  Operation::intersect));
-  nouns_.push_back(composite_noun("difference", Category::combination,
-                                  "the first solid without the others, also written a - b", Operation::subtract));
+      composite_noun(scene::Group::noun, Category::group, "things that are placed together", Operation::unite));
+  const auto add_combination = [&](Operation operation, std::string_view help) {
+    nouns_.push_back(composite_noun(scene::noun(operation), Category::combination, help, operation));
+  };
+  add_combination(Operation::unite, "solids as one, also written a | b");
+  add_combination(Operation::intersect, "what solids share, also written a & b");
+  add_combination(Operation::subtract, "the first solid without the others, also written a - b");
   nouns_.push_back({"material",
                     Category::material,
                     "what a surface and its inside look like",
-                    from_fields(scene::material_fields()),
+                    from_fields(fields(static_cast<const scene::Material*>(nullptr))),
                     {},
                     {},
                     {},
                     {}});
-  nouns_.push_back(pattern_noun("checker", scene::PatternKind::checker, "cubes of one unit, in two colours by turns"));
-  nouns_.push_back(
-      light_noun<scene::PointLight>("light", "a lamp that shines from a point, equally in all directions"));
-  nouns_.push_back(light_noun<scene::SunLight>("sun", "light from infinitely far away; it never fades"));
-  nouns_.push_back(light_noun<scene::SpotLight>("spot", "a lamp that shines within a cone"));
+  scene::PatternKinds::for_each([&]<class P>() { nouns_.push_back(pattern_noun<P>()); });
+  scene::LightKinds::for_each([&]<class L>() { nouns_.push_back(light_noun<L>()); });
   nouns_.push_back({"camera",
                     Category::camera,
                     "the view of the scene",
@@ -170,7 +172,7 @@ NodeTypes::NodeTypes() {
             {},
             {},
             {}};
-  group_ = find("group");
+  group_ = find(scene::Group::noun);
   material_ = find("material");
 }
 

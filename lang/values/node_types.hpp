@@ -21,8 +21,6 @@ enum class PropertyType : std::uint8_t {
   vector,
   size,
   color,
-  paint,
-  number_paint,
   points,
   choice,
   fade,
@@ -45,6 +43,8 @@ struct Property {
   std::string_view help;
   std::span<const std::string_view> choices;
   const scene::Field* field = nullptr; ///< where `common` is none
+
+  bool is_textured() const { return field && field->is_textured; }
 };
 
 /// How a shape or light of a kind known only at run time is made: in memory of `maker_room` bytes aligned to
@@ -65,7 +65,7 @@ struct NodeType {
   std::vector<Property> properties;
   Maker maker;
   scene::Combination::Operation operation = scene::Combination::Operation::unite;
-  scene::PatternKind pattern = scene::PatternKind::checker;
+  scene::PatternLayout pattern{};      ///< of a pattern: one of its kind with nothing written
   std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `NodeTypes::intern`
 
   /// Position in `properties`, or nothing. By symbol once the names are interned.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace rt::lang {
 namespace {
 
@@ -14,7 +16,7 @@ bool has_category(const Value& value, Category category) {
 }
 
 Mistake wrong_type(const Property& property, const Value& value) {
-  std::string wanted(describe(property.type));
+  std::string wanted(describe(property));
   if (property.type == PropertyType::choice) {
     wanted.clear();
     for (std::size_t i = 0; i < property.choices.size(); ++i) {
@@ -73,22 +75,47 @@ std::optional<Mistake> check_color(const Property& property, const Value& value)
   return mistake_of(property, check(property.constraint, *color));
 }
 
-/// Patterns where a number is meant hold numbers, all the way down.
-bool holds_numbers(const Thing& pattern) {
-  for (const PropertyValue& p : pattern.properties) {
-    if (pattern.type->properties[p.id].type != PropertyType::paint) continue;
-    const bool is_fine = p.value.is_number() || (is_pattern(p.value) && holds_numbers(p.value.thing()));
-    if (!is_fine) return false;
-  }
-  return true;
-}
+/// Looks through a pattern, all the way down, for what a property that is a number would not take by itself.
+class PatternCheck {
+public:
+  explicit PatternCheck(const Property& property) : property_(property) {}
 
-std::optional<Mistake> check_number_paint(const Property& property, const Value& value) {
-  if (value.is_number()) return mistake_of(property, check(property.constraint, value.number()));
-  if (!is_pattern(value)) return wrong_type(property, value);
-  if (holds_numbers(value.thing())) return std::nullopt;
-  return Mistake{"E0301", fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property.name),
-                 "this holds a colour"};
+  std::optional<Mistake> run(const Thing& pattern) {
+    if (!seen_.insert(&pattern).second) return std::nullopt;
+    for (std::size_t i = 0; i < pattern.type->properties.size(); ++i) {
+      if (!pattern.type->properties[i].is_textured()) continue;
+      if (auto mistake = check_part(pattern, static_cast<std::uint16_t>(i))) return mistake;
+    }
+    return std::nullopt;
+  }
+
+private:
+  std::optional<Mistake> check_part(const Thing& pattern, std::uint16_t id) {
+    const PropertyValue* written = pattern.find(id);
+    if (written && is_pattern(written->value)) return run(written->value.thing());
+    if (written && written->value.is_poison()) return std::nullopt;
+    if (written && !written->value.is_number())
+      return Mistake{"E0301",
+                     fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property_.name),
+                     "this holds a colour"};
+    const auto value = written ? written->value : default_value(*pattern.type, pattern.type->properties[id]);
+    const std::optional<Color> shown = value ? as_color(*value) : std::nullopt;
+    auto mistake = shown ? mistake_of(property_, check(property_.constraint, shown->r)) : std::nullopt;
+    if (mistake)
+      mistake->label = fmt::format("the `{}` of this {} is {}", pattern.type->properties[id].name, pattern.type->name,
+                                   format_number(shown->r));
+    return mistake;
+  }
+
+  const Property& property_;
+  std::set<const Thing*> seen_;
+};
+
+/// A pattern where there can be none.
+Mistake must_be_constant(const Property& property, const Value& value) {
+  Mistake mistake = wrong_type(property, value);
+  mistake.advice.push_back(fmt::format("{}: write one number", property.field->constant_because));
+  return mistake;
 }
 
 std::optional<Mistake> check_points(const Property& property, const Value& value) {
@@ -131,10 +158,10 @@ std::optional<Mistake> require(bool is_fine, const Property& property, const Val
 
 } // namespace
 
-std::string_view describe(PropertyType type) {
-  switch (type) {
+std::string_view describe(const Property& property) {
+  switch (property.type) {
   case PropertyType::number:
-    return "a number";
+    return property.is_textured() ? "a number, or a pattern of numbers" : "a number";
   case PropertyType::boolean:
     return "true or false";
   case PropertyType::vector:
@@ -142,11 +169,7 @@ std::string_view describe(PropertyType type) {
   case PropertyType::size:
     return "a number or a vector of three";
   case PropertyType::color:
-    return "a colour, or a number as grey";
-  case PropertyType::paint:
-    return "a colour, a number as grey, or a pattern";
-  case PropertyType::number_paint:
-    return "a number, or a pattern of numbers";
+    return property.is_textured() ? "a colour, a number as grey, or a pattern" : "a colour, or a number as grey";
   case PropertyType::points:
     return "a list of points";
   case PropertyType::choice:
@@ -165,6 +188,11 @@ std::string_view describe(PropertyType type) {
 
 std::optional<Mistake> check_value(const Property& property, const Value& value) {
   if (value.is_poison()) return std::nullopt;
+  // What a pattern holds was checked as colours when it was made.
+  if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
+  if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
+  if (is_pattern(value) && property.field && !property.field->constant_because.empty())
+    return must_be_constant(property, value);
   switch (property.type) {
   case PropertyType::number:
     if (!value.is_number()) return wrong_type(property, value);
@@ -177,10 +205,6 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
     return check_size(property, value);
   case PropertyType::color:
     return check_color(property, value);
-  case PropertyType::paint:
-    return is_pattern(value) ? std::nullopt : check_color(property, value);
-  case PropertyType::number_paint:
-    return check_number_paint(property, value);
   case PropertyType::points:
     return check_points(property, value);
   case PropertyType::choice:
@@ -199,9 +223,8 @@ std::optional<Mistake> check_value(const Property& property, const Value& value)
 
 namespace {
 
-Value from_paint(const Property& property, const scene::Paint& paint) {
-  const Color color = std::get<Color>(paint); // a default is never a pattern
-  return property.type == PropertyType::number_paint ? Value(color.r) : Value(color);
+Value from_color(const Property& property, const Color& color) {
+  return property.type == PropertyType::number ? Value(color.r) : Value(color);
 }
 
 Value from_fade(const scene::Fade& fade) {
@@ -212,14 +235,13 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
   if (const double* number = std::get_if<double>(&value)) return Value(*number);
   if (const bool* truth = std::get_if<bool>(&value)) return Value::boolean(*truth);
   if (const Vec3* vector = std::get_if<Vec3>(&value)) return Value(*vector);
-  if (const Color* color = std::get_if<Color>(&value)) return Value(*color);
-  if (const scene::Paint* paint = std::get_if<scene::Paint>(&value)) return from_paint(property, *paint);
+  if (const Color* color = std::get_if<Color>(&value)) return from_color(property, *color);
   if (const scene::Choice* choice = std::get_if<scene::Choice>(&value))
     return Value::choice(property.choices[static_cast<std::size_t>(choice->index)]);
   if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
   if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value))
     return Value::point((*size)[0], (*size)[1]);
-  return std::nullopt; // a list of points, which has no value of its own
+  return std::nullopt; // a list of points, which has no value of its own; a default is never a pattern
 }
 
 } // namespace
@@ -248,10 +270,8 @@ std::optional<Value> default_value(const NodeType& type, const Property& propert
     const scene::Material material;
     return read(&material);
   }
-  if (type.category == Category::pattern) {
-    const scene::Pattern pattern;
-    return read(&pattern);
-  }
+  if (type.category == Category::pattern)
+    return std::visit([&](const auto& layout) { return read(&layout); }, type.pattern);
   if (type.maker.construct == nullptr) return std::nullopt;
   alignas(std::max_align_t) std::byte room[maker_room];
   type.maker.construct(room);

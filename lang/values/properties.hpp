@@ -18,7 +18,7 @@ struct Mistake {
 };
 
 /// "a number", "a vector of three numbers": what a property takes.
-std::string_view describe(PropertyType type);
+std::string_view describe(const Property& property);
 
 /// Whether the property takes the value: its type, then its constraint. Poison passes.
 std::optional<Mistake> check_value(const Property& property, const Value& value);

@@ -13,8 +13,7 @@ void MaterialBindings::extend(const scene::Scene& scene) {
   materials_.extend(scene);
   for (std::size_t i = placeless_.size(); i < scene.materials.size(); ++i) {
     const std::uint32_t material = Materials::index(scene::MaterialId{static_cast<std::uint32_t>(i)});
-    const MaterialValues& values = materials_.constant(material);
-    const bool is_opaque = values.refract == 0, uses_ior = !is_opaque || values.fresnel;
+    const bool is_opaque = scene::is_opaque(scene.materials[i]), uses_ior = !is_opaque || scene.materials[i].fresnel;
     placeless_.push_back(BindingId{static_cast<std::uint32_t>(bindings_.size())});
     bindings_.push_back({material, nowhere, is_opaque, uses_ior});
     uses_ior_ = uses_ior_ || uses_ior;

@@ -34,6 +34,7 @@ public:
   /// `inherited` if it writes no material.
   BindingId of(const scene::Object& object, const Affine& to_outer, BindingId inherited);
 
+  /// Whether it lets no light by anywhere.
   bool is_opaque(BindingId binding) const { return at(binding).is_opaque; }
   /// Whether the index of refraction of the binding's material matters at all, and whether any binding's does.
   bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }

@@ -19,8 +19,10 @@ namespace rt::scene {
 /// Index of a pattern in `Scene::patterns`.
 enum class PatternId : std::uint32_t {};
 
-/// A colour, or a pattern that gives one at every point. Where a number is meant it stands as grey.
+/// A colour or a number, or a pattern that gives one at every point. Where a pattern gives colours and a number is
+/// asked for, that is the colour's red.
 using Paint = std::variant<Color, PatternId>;
+using NumberPaint = std::variant<double, PatternId>;
 
 /// How light weakens with distance D from its source; `distance` is d, in scene lengths.
 struct Fade {
@@ -40,21 +42,19 @@ struct Choice {
 enum class FieldType : std::uint8_t {
   number,
   boolean,
-  vector,       ///< three numbers
-  size,         ///< three numbers, or one number for all three
-  color,        ///< a colour, or a number as linear grey
-  paint,        ///< a colour, a number as grey, or a pattern
-  number_paint, ///< a number, or a pattern of numbers
-  points,       ///< a list of points
-  choice,       ///< one of `Field::choices`, written as a bare name
-  fade,         ///< linear(d), quadratic(d) or inverse_square
-  resolution,   ///< two whole numbers, width and height
+  vector,     ///< three numbers
+  size,       ///< three numbers, or one number for all three
+  color,      ///< a colour, or a number as linear grey
+  points,     ///< a list of points
+  choice,     ///< one of `Field::choices`, written as a bare name
+  fade,       ///< linear(d), quadratic(d) or inverse_square
+  resolution, ///< two whole numbers, width and height
 };
 
 /// Width and height in pixels.
 using Resolution = std::array<int, 2>;
 
-using FieldValue = std::variant<double, bool, Vec3, Color, Paint, std::vector<Vec3>, Choice, Fade, Resolution>;
+using FieldValue = std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution>;
 
 /// One property of a description type.
 struct Field {
@@ -67,6 +67,9 @@ struct Field {
   std::string_view default_text; ///< as it would be written; empty where there is none
   std::string_view help;         ///< one line, with the unit
   std::span<const std::string_view> choices;
+  bool is_textured; ///< it takes a pattern too
+  /// Why it takes none where one might expect it to; empty where nobody would.
+  std::string_view constant_because;
   void (*set)(void* owner, const FieldValue& value);
   /// Empty where the property was not written and has no value of its own.
   std::optional<FieldValue> (*get)(const void* owner);
@@ -99,8 +102,13 @@ template <std::size_t N>
 constexpr bool is_points<std::array<Vec3, N>> = true;
 
 template <class T>
+constexpr bool is_paint = std::is_same_v<T, Paint> || std::is_same_v<T, NumberPaint>;
+
+template <class T>
 FieldValue to_value(const T& member) {
-  if constexpr (std::is_enum_v<T>)
+  if constexpr (is_paint<T>)
+    return std::visit([](const auto& shown) -> FieldValue { return shown; }, member);
+  else if constexpr (std::is_enum_v<T>)
     return Choice{static_cast<int>(member)};
   else if constexpr (std::is_same_v<T, int>)
     return static_cast<double>(member);
@@ -110,9 +118,23 @@ FieldValue to_value(const T& member) {
     return member;
 }
 
+/// A number stands as grey where a colour is asked for, a colour's red where a number is.
+template <class T>
+T paint_from(const FieldValue& value) {
+  constexpr bool is_number = std::is_same_v<T, NumberPaint>;
+  if (const PatternId* pattern = std::get_if<PatternId>(&value)) return *pattern;
+  const Color* color = std::get_if<Color>(&value);
+  if constexpr (is_number)
+    return color ? color->r : std::get<double>(value);
+  else
+    return color ? *color : grey(std::get<double>(value));
+}
+
 template <class T>
 T from_value(const FieldValue& value) {
-  if constexpr (std::is_enum_v<T>)
+  if constexpr (is_paint<T>)
+    return paint_from<T>(value);
+  else if constexpr (std::is_enum_v<T>)
     return static_cast<T>(std::get<Choice>(value).index);
   else if constexpr (std::is_same_v<T, int>)
     return static_cast<int>(std::get<double>(value));
@@ -149,8 +171,8 @@ std::optional<Violation> check_value(const Field& field, const T& value) {
     return check(positive, value.distance);
   else if constexpr (std::is_same_v<T, Resolution>)
     return check(field.constraint, Vec3{static_cast<double>(value[0]), static_cast<double>(value[1]), 1.0});
-  else if constexpr (std::is_same_v<T, Paint>)
-    return std::holds_alternative<Color>(value) ? check(field.constraint, std::get<Color>(value)) : std::nullopt;
+  else if constexpr (is_paint<T>)
+    return value.index() == 0 ? check(field.constraint, std::get<0>(value)) : std::nullopt;
   else if constexpr (std::is_same_v<T, Vec3>)
     return field.type == FieldType::size ? check_size(field.constraint, value) : check(field.constraint, value);
   else if constexpr (std::is_same_v<T, Color>)
@@ -165,10 +187,8 @@ constexpr FieldType default_type() {
     return FieldType::boolean;
   else if constexpr (std::is_same_v<T, Vec3>)
     return FieldType::vector;
-  else if constexpr (std::is_same_v<T, Color>)
+  else if constexpr (std::is_same_v<T, Color> || std::is_same_v<T, Paint>)
     return FieldType::color;
-  else if constexpr (std::is_same_v<T, Paint>)
-    return FieldType::paint;
   else if constexpr (std::is_same_v<T, Fade>)
     return FieldType::fade;
   else if constexpr (std::is_same_v<T, Resolution>)
@@ -191,10 +211,12 @@ struct FieldText {
   int form = 0;
   std::optional<FieldType> type = std::nullopt; ///< where the member's type alone does not say it
   std::span<const std::string_view> choices = {};
+  std::string_view constant_because = {};
 };
 
 /// The table row for `Member`, a pointer to a data member: `field<&Sphere::radius>("radius", {.default_text = "1",
-/// …})`. `set` expects the FieldValue alternative that belongs to the member's type.
+/// …})`. `set` expects the FieldValue alternative that belongs to the member's type. A member that is a paint takes
+/// patterns.
 template <auto Member>
 constexpr Field field(std::string_view name, const FieldText& text) {
   using Owner = typename detail::MemberOf<decltype(Member)>::Owner;
@@ -208,6 +230,8 @@ constexpr Field field(std::string_view name, const FieldText& text) {
       text.default_text,
       text.help,
       text.choices,
+      detail::is_paint<T>,
+      text.constant_because,
       [](void* owner, const FieldValue& value) { static_cast<Owner*>(owner)->*Member = detail::from_value<T>(value); },
       [](const void* owner) -> std::optional<FieldValue> {
         const Stored& member = static_cast<const Owner*>(owner)->*Member;
@@ -223,6 +247,23 @@ constexpr Field field(std::string_view name, const FieldText& text) {
         else
           return member ? detail::check_value<T>(self, *member) : std::nullopt;
       }};
+}
+
+/// Calls f(id) for each pattern that the owner's fields show.
+template <class F>
+void for_each_pattern(std::span<const Field> table, const void* owner, F&& f) {
+  for (const Field& field : table) {
+    if (!field.is_textured) continue;
+    const std::optional<FieldValue> value = field.get(owner);
+    if (const PatternId* pattern = value ? std::get_if<PatternId>(&*value) : nullptr) f(*pattern);
+  }
+}
+
+/// Puts f(id) in the place of each.
+template <class F>
+void replace_patterns(std::span<const Field> table, void* owner, F&& f) {
+  for (const Field& field : table)
+    for_each_pattern({&field, 1}, owner, [&](PatternId pattern) { field.set(owner, f(pattern)); });
 }
 
 /// Why a description that passes every field's constraint is still not a shape, light, …: two points coincide, a

@@ -31,16 +31,13 @@ void add_to(Hasher& h, const Fade& v) {
 void add_to(Hasher& h, const Resolution& v) {
   h.add(double(v[0])).add(double(v[1]));
 }
-void add_to(Hasher& h, const Paint& paint) {
-  if (const Color* color = std::get_if<Color>(&paint))
-    h.add(*color);
-  else
-    h.add(std::uint64_t{1} << 32 | static_cast<std::uint64_t>(std::get<PatternId>(paint)));
+void add_to(Hasher& h, PatternId v) {
+  h.add(std::uint64_t{1} << 32 | static_cast<std::uint64_t>(v));
 }
 
 std::uint64_t hash_of(const Material& material) {
   Hasher h;
-  for (const Field& field : material_fields()) {
+  for (const Field& field : fields(&material)) {
     if (const auto value = field.get(&material)) std::visit([&](const auto& v) { add_to(h, v); }, *value);
   }
   return h.value();

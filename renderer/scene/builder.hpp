@@ -21,7 +21,7 @@ public:
   MaterialId material(const Material& material);
   /// A material that is a colour and nothing else.
   MaterialId material(const Color& color);
-  /// `a` and `b` refer to patterns that were added before.
+  /// It may show patterns that were added before.
   PatternId pattern(Pattern pattern);
   NameId name(std::string_view text);
   /// For an object's `transform`; `at` is ignored, as it is the object's own. Nothing where the placement flattens, or

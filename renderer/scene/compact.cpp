@@ -57,10 +57,9 @@ public:
     renumber(scene_.objects);
     for (Group& group : scene_.shapes.all<Group>()) renumber(group.members);
     for (Combination& combination : scene_.shapes.all<Combination>()) renumber(combination.operands);
-    for (Material& material : scene_.materials) {
-      for (Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission}) renumber(*paint);
-    }
-    for (Pattern& pattern : scene_.patterns) renumber(pattern.a), renumber(pattern.b);
+    for (Material& material : scene_.materials) renumber_patterns(material);
+    for (Pattern& pattern : scene_.patterns)
+      std::visit([&](auto& layout) { renumber_patterns(layout); }, pattern.layout);
   }
 
 private:
@@ -74,15 +73,15 @@ private:
   }
   void mark(MaterialId id) {
     if (!materials_.mark(static_cast<std::size_t>(id))) return;
-    const Material& material = scene_.materials[static_cast<std::size_t>(id)];
-    for (const Paint* paint : {&material.color, &material.ambient, &material.diffuse, &material.emission}) mark(*paint);
+    mark_patterns(scene_.materials[static_cast<std::size_t>(id)]);
   }
-  void mark(const Paint& paint) {
-    const PatternId* id = std::get_if<PatternId>(&paint);
-    if (!id || !patterns_.mark(static_cast<std::size_t>(*id))) return;
-    const Pattern& pattern = scene_.patterns[static_cast<std::size_t>(*id)];
-    mark(pattern.a);
-    mark(pattern.b);
+  template <class T>
+  void mark_patterns(const T& owner) {
+    for_each_pattern(fields(&owner), &owner, [&](PatternId id) {
+      if (!patterns_.mark(static_cast<std::size_t>(id))) return;
+      std::visit([&](const auto& layout) { mark_patterns(layout); },
+                 scene_.patterns[static_cast<std::size_t>(id)].layout);
+    });
   }
 
   void renumber(std::vector<Object>& objects) const {
@@ -94,9 +93,10 @@ private:
         object.material = MaterialId{materials_[static_cast<std::size_t>(object.material)]};
     }
   }
-  void renumber(Paint& paint) const {
-    if (const PatternId* id = std::get_if<PatternId>(&paint))
-      paint = PatternId{patterns_[static_cast<std::size_t>(*id)]};
+  template <class T>
+  void renumber_patterns(T& owner) const {
+    replace_patterns(fields(&owner), &owner,
+                     [&](PatternId id) { return PatternId{patterns_[static_cast<std::size_t>(id)]}; });
   }
 
   Scene& scene_;

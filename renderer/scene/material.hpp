@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/fields/field.hpp"
-#include "renderer/scene/transform.hpp"
 
 namespace rt::scene {
 
@@ -18,31 +17,23 @@ struct Material {
   Paint ambient = grey(1);
   Paint diffuse = grey(0.8);
   Paint emission = grey(0);
-  double specular = 0;
-  double shininess = 32;
+  NumberPaint specular = 0.0;
+  NumberPaint shininess = 32.0;
   Highlight highlight = Highlight::blinn;
-  double metallic = 0;
-  Color reflect = black;
-  double refract = 0;
+  NumberPaint metallic = 0.0;
+  Paint reflect = black;
+  NumberPaint refract = 0.0;
   double ior = 1;
   bool fresnel = false;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-std::span<const Field> material_fields();
+std::span<const Field> fields(const Material*);
 
-enum class PatternKind : std::uint8_t { checker };
-
-/// Two paints laid out over space. It lives in the space of the object that writes `material:`, before that object's
-/// own transform; `placement` moves it there.
-struct Pattern {
-  PatternKind kind = PatternKind::checker;
-  Paint a = white;
-  Paint b = black;
-  Placement placement;
-};
-
-/// The fields of every pattern, without the placement's (scale, rotate, at).
-std::span<const Field> pattern_fields();
+/// Whether it lets no light through anywhere. Where a pattern says how much it lets through, it may.
+inline bool is_opaque(const Material& material) {
+  const double* refract = std::get_if<double>(&material.refract);
+  return refract && *refract == 0;
+}
 
 } // namespace rt::scene

@@ -22,7 +22,7 @@ MaterialId material_of(const Object& object, MaterialId inherited) {
 std::optional<double> ior_that_matters(const Scene& scene, MaterialId id) {
   if (id == no_material) return std::nullopt;
   const Material& material = scene.materials[static_cast<std::size_t>(id)];
-  if (material.refract == 0 && !material.fresnel) return std::nullopt;
+  if (is_opaque(material) && !material.fresnel) return std::nullopt;
   return material.ior;
 }
 

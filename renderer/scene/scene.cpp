@@ -1,6 +1,7 @@
 #include "renderer/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace rt::scene {
@@ -121,6 +122,32 @@ std::string place_text(const Scene& scene, Origin origin) {
   return scene.files[origin.file] + ':' + std::to_string(origin.line);
 }
 
+std::span<const Field> fields(const Scene*) {
+  static constexpr Constraint pixels{.min = 1, .max = 65536, .is_whole = true};
+  static constexpr Constraint depth{.min = 0, .max = 1000, .is_whole = true};
+  static constexpr Constraint count{.min = 1, .max = 65536, .is_whole = true};
+  static constexpr Field table[] = {
+      field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
+      field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
+      field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere, a number or a colour", not_negative}),
+      field<&Scene::max_depth>("max_depth", {"8", "how often a ray may be mirrored or refracted", depth}),
+      field<&Scene::samples>("samples", {"1", "rays for each pixel, a square number: a regular grid", count}),
+  };
+  return table;
+}
+
+std::optional<int> sample_grid(int samples) {
+  const int side = static_cast<int>(std::lround(std::sqrt(std::max(samples, 0))));
+  if (side == 0 || side * side != samples) return std::nullopt;
+  return side;
+}
+
+std::optional<Problem> check(const Scene& scene) {
+  if (!sample_grid(scene.samples))
+    return Problem{"samples", "`samples` is a grid of n × n rays: write a square number (1, 4, 9, 16, …)"};
+  return std::nullopt;
+}
+
 Placement placement(const Scene& scene, const Object& object) {
   Placement whole =
       object.transform == no_transform ? Placement{} : scene.transforms[static_cast<std::size_t>(object.transform)];
@@ -131,13 +158,6 @@ Placement placement(const Scene& scene, const Object& object) {
 Affine to_parent(const Scene& scene, const Object& object) {
   if (object.transform == no_transform) return Affine::translating(object.at);
   return matrix(placement(scene, object));
-}
-
-Affine to_world(const Light& light) {
-  Affine map;
-  for (const Step& step : light.chain) map = matrix(step) * map;
-  for (const Placement& outer : light.enclosing) map = matrix(outer) * map;
-  return map;
 }
 
 Box3 bounds(const Scene& scene, const Object& object) {

@@ -3,21 +3,12 @@
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/object.hpp"
+#include "renderer/scene/pattern.hpp"
 #include "renderer/scene/shapes.hpp"
 
 #include <string>
 
 namespace rt::scene {
-
-/// A light, its own chain, and the placements of the composites it stands in, from the inside out. Its position and
-/// direction in the scene are its fields carried through `chain` and then each of `enclosing`.
-struct Light {
-  LightSource source;
-  std::vector<Step> chain;
-  std::vector<Placement> enclosing;
-  NameId name = no_name;
-  Origin origin;
-};
 
 /// All that a scene file says, as plain data: what evaluation yields and the compiler, the exporter and `rtlang scene`
 /// read. Parameters stand as they were written; nothing is derived.
@@ -55,8 +46,6 @@ std::string place_text(const Scene& scene, Origin origin);
 Placement placement(const Scene& scene, const Object& object);
 /// The map from the object's own space to its parent's.
 Affine to_parent(const Scene& scene, const Object& object);
-/// The light's map from where its fields hold to the scene.
-Affine to_world(const Light& light);
 
 /// The box around an object in its parent's space, and around all visible ones; infinite where a shape is, up to
 /// rounding. Asking for many instances of a group one by one computes the group's box each time.

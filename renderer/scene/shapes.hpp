@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/fields/type_list.hpp"
 #include "renderer/scene/composite.hpp"
 #include "renderer/scene/object.hpp"
 #include "renderer/shapes/box.hpp"
@@ -19,24 +20,7 @@
 
 namespace rt::scene {
 
-/// A closed list of types, in which a shape's position is its `ShapeRef::kind`.
-template <class... T>
-struct TypeList {
-  static constexpr std::uint32_t size = sizeof...(T);
-  template <class S>
-  static constexpr std::uint32_t index_of() {
-    std::uint32_t i = 0;
-    const bool found = ((std::is_same_v<S, T> || (++i, false)) || ...);
-    return found ? i : size;
-  }
-  /// Calls f.operator()<T>() for each type, in order.
-  template <class F>
-  static constexpr void for_each(F&& f) {
-    (f.template operator()<T>(), ...);
-  }
-};
-
-/// All shapes. A new shape is added here, and its header above.
+/// All shapes, and a shape's position here is its `ShapeRef::kind`. A new shape is added here, and its header above.
 using ShapeKinds = TypeList<Sphere, Plane, Cylinder, Cone, Box, Disc, Triangle, Quad, Polygon, Group, Combination>;
 
 template <class S>

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "renderer/fields/type_list.hpp"
 #include "renderer/math/affine.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <variant>
+#include <string_view>
 #include <vector>
 
 /// Transforms as they were written. Nothing here is multiplied out: whoever reads a description (the compiler, the
@@ -14,37 +15,45 @@ namespace rt::scene {
 /// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin unless
 /// given.
 struct ScaleStep {
+  static constexpr std::string_view noun = "scale";
   Vec3 factors{1, 1, 1};
   Vec3 about{};
 };
 /// About the x, then the y, then the z axis, in degrees.
 struct RotateStep {
+  static constexpr std::string_view noun = "rotate";
   Vec3 degrees{};
   Vec3 about{};
 };
 /// Right-handed about `axis` (not zero), in degrees.
 struct RotateAxisStep {
+  static constexpr std::string_view noun = "rotate about an axis";
   Vec3 axis{0, 1, 0};
   double degrees = 0;
   Vec3 about{};
 };
 struct MoveStep {
+  static constexpr std::string_view noun = "move";
   Vec3 offset{};
 };
 /// x' = x + xy·y + xz·z, y' = y + yx·x + yz·z, z' = z + zx·x + zy·y.
 struct ShearStep {
+  static constexpr std::string_view noun = "shear";
   double xy = 0, xz = 0, yx = 0, yz = 0, zx = 0, zy = 0;
   Vec3 about{};
 };
 /// Through the plane that contains `about` and is perpendicular to `normal` (not zero).
 struct MirrorStep {
+  static constexpr std::string_view noun = "mirror";
   Vec3 normal{1, 0, 0};
   Vec3 about{};
 };
 struct MatrixStep {
+  static constexpr std::string_view noun = "matrix";
   Affine matrix;
 };
-using Step = std::variant<ScaleStep, RotateStep, RotateAxisStep, MoveStep, ShearStep, MirrorStep, MatrixStep>;
+using StepKinds = TypeList<ScaleStep, RotateStep, RotateAxisStep, MoveStep, ShearStep, MirrorStep, MatrixStep>;
+using Step = StepKinds::Variant;
 
 /// Where a thing stands in its parent's space: scaled, then rotated (x, y, z in degrees), then moved to `at`, then each
 /// step of the chain, left to right.
@@ -62,8 +71,8 @@ Affine matrix(const Placement& placement);
 /// back.
 bool flattens(const Placement& placement);
 
-/// Index into `Scene::turns`, `no_turn` where there is neither scale, rotation nor chain: almost every object of a
-/// large scene, which is why `Object` keeps only `at` itself.
+/// Index into `Scene::transforms`, `no_transform` where there is neither scale, rotation nor chain: almost every object
+/// of a large scene, which is why `Object` keeps only `at` itself.
 enum class TransformId : std::uint32_t {};
 inline constexpr TransformId no_transform{0xffffffff};
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <set>
 #include <utility>
 
 namespace rt::scene {
@@ -68,6 +69,7 @@ private:
   void check_material(std::size_t index);
   void check_pattern(std::size_t index);
   void check_paints(std::span<const Field> fields, const void* owner, std::size_t patterns, const std::string& where);
+  void check_shown(const Field& property, PatternId id, const std::string& where, std::set<PatternId>& seen);
   void check_placement(const Placement& placement, const std::string& where);
   void check_transform(std::size_t index);
 
@@ -218,8 +220,9 @@ void Validation::check_material(std::size_t index) {
   if (seen_materials_[index]) return;
   seen_materials_[index] = true;
   const Material& material = scene_.materials[index];
-  check_fields(material_fields(), &material, [&] { return at("materials", index); });
-  check_paints(material_fields(), &material, scene_.patterns.size(), at("materials", index));
+  const std::string where = at("materials", index);
+  check_fields(fields(&material), &material, [&] { return where; });
+  check_paints(fields(&material), &material, scene_.patterns.size(), where);
 }
 
 void Validation::check_pattern(std::size_t index) {
@@ -227,25 +230,45 @@ void Validation::check_pattern(std::size_t index) {
   seen_patterns_[index] = true;
   const Pattern& pattern = scene_.patterns[index];
   const std::string where = at("patterns", index);
-  check_fields(pattern_fields(), &pattern, [&] { return where; });
   check_placement(pattern.placement, where);
-  check_paints(pattern_fields(), &pattern, index, where);
+  std::visit(
+      [&](const auto& layout) {
+        check_fields(fields(&layout), &layout, [&] { return where; });
+        check_paints(fields(&layout), &layout, index, where);
+      },
+      pattern.layout);
 }
 
 /// The patterns that an owner's fields refer to are among the first `patterns`: none is part of itself.
 void Validation::check_paints(std::span<const Field> fields, const void* owner, std::size_t patterns,
                               const std::string& where) {
   for (const Field& field : fields) {
-    if (field.type != FieldType::paint && field.type != FieldType::number_paint) continue;
-    const std::optional<FieldValue> value = field.get(owner);
-    const Paint* paint = value ? std::get_if<Paint>(&*value) : nullptr;
-    const PatternId* id = paint ? std::get_if<PatternId>(paint) : nullptr;
-    if (!id) continue;
-    if (static_cast<std::size_t>(*id) < patterns)
-      check_pattern(static_cast<std::size_t>(*id));
-    else
-      add(Kind::reference, joined(where, field.name), "there is no such pattern before this one");
+    for_each_pattern({&field, 1}, owner, [&](PatternId id) {
+      if (static_cast<std::size_t>(id) >= patterns)
+        return add(Kind::reference, joined(where, field.name), "there is no such pattern before this one");
+      check_pattern(static_cast<std::size_t>(id));
+      std::set<PatternId> seen;
+      if (field.type == FieldType::number) check_shown(field, id, joined(where, field.name), seen);
+    });
   }
+}
+
+/// What a pattern shows must be what the property would take by itself. Of colours all patterns ask the same.
+void Validation::check_shown(const Field& property, PatternId id, const std::string& where, std::set<PatternId>& seen) {
+  if (static_cast<std::size_t>(id) >= scene_.patterns.size() || !seen.insert(id).second) return;
+  const auto look_at = [&]<class P>(const P& layout) {
+    for (const Field& field : fields(&layout)) {
+      const std::optional<FieldValue> value = field.is_textured ? field.get(&layout) : std::nullopt;
+      if (!value) continue;
+      if (const PatternId* inner = std::get_if<PatternId>(&*value)) {
+        check_shown(property, *inner, where, seen);
+      } else if (const auto violation = check(property.constraint, std::get<Color>(*value).r)) {
+        add(Kind::value, where,
+            fmt::format("`{}` {} (in its pattern {})", property.name, violation->rule, violation->found));
+      }
+    }
+  };
+  std::visit(look_at, scene_.patterns[static_cast<std::size_t>(id)].layout);
 }
 
 void Validation::check_placement(const Placement& placement, const std::string& where) {

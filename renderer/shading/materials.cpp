@@ -1,24 +1,22 @@
 #include "renderer/shading/materials.hpp"
 
 #include <cassert>
-#include <cmath>
 
 namespace rt {
 namespace {
 
-bool is_pattern(const scene::Paint& paint) {
-  return std::holds_alternative<scene::PatternId>(paint);
-}
-
-Color constant_part(const scene::Paint& paint) {
-  const Color* color = std::get_if<Color>(&paint);
-  return color ? *color : black;
-}
-
-// Unit cells; the small shift before rounding keeps a floor at a whole number stable, and is POV-Ray's own.
-bool is_first_of_checker(const Vec3& p) {
-  const double cells = std::floor(p.x + 1e-10) + std::floor(p.y + 1e-10) + std::floor(p.z + 1e-10);
-  return std::fmod(cells, 2) == 0;
+// Calls f with each property that may be a pattern, in the description and evaluated.
+template <class F>
+void for_each_textured(F&& f) {
+  f(&scene::Material::color, &MaterialValues::color);
+  f(&scene::Material::ambient, &MaterialValues::ambient);
+  f(&scene::Material::diffuse, &MaterialValues::diffuse);
+  f(&scene::Material::emission, &MaterialValues::emission);
+  f(&scene::Material::specular, &MaterialValues::specular);
+  f(&scene::Material::shininess, &MaterialValues::shininess);
+  f(&scene::Material::metallic, &MaterialValues::metallic);
+  f(&scene::Material::reflect, &MaterialValues::reflect);
+  f(&scene::Material::refract, &MaterialValues::refract);
 }
 
 } // namespace
@@ -34,42 +32,51 @@ void Materials::extend(const scene::Scene& scene) {
     const scene::Pattern& pattern = scene.patterns[i];
     const auto to_pattern = inverse(matrix(pattern.placement));
     assert(to_pattern && "a pattern's placement must not flatten it");
-    patterns_.push_back({to_pattern.value_or(Affine{}), pattern.a, pattern.b});
+    patterns_.push_back({to_pattern.value_or(Affine{}), pattern.layout});
   }
   entries_.reserve(scene.materials.size() + 1);
   for (std::size_t i = entries_.size() - 1; i < scene.materials.size(); ++i) add(scene.materials[i]);
 }
 
 void Materials::add(const scene::Material& m) {
-  entries_.push_back(
-      {{constant_part(m.color), constant_part(m.ambient), constant_part(m.diffuse), constant_part(m.emission),
-        m.reflect, m.specular, m.shininess, m.metallic, m.refract, m.ior, m.highlight, m.fresnel},
-       m.color,
-       m.ambient,
-       m.diffuse,
-       m.emission,
-       is_pattern(m.color) || is_pattern(m.ambient) || is_pattern(m.diffuse) || is_pattern(m.emission)});
+  MaterialEntry& entry = entries_.emplace_back();
+  entry.first_texture = static_cast<std::uint32_t>(textures_.size());
+  entry.values.ior = m.ior;
+  entry.values.highlight = m.highlight;
+  entry.values.fresnel = m.fresnel;
+  for_each_textured([&](auto described, auto property) {
+    if (const scene::PatternId* pattern = std::get_if<scene::PatternId>(&(m.*described)))
+      textures_.push_back({*pattern, property});
+    else
+      entry.values.*property = std::get<0>(m.*described);
+  });
+  entry.texture_count = static_cast<std::uint32_t>(textures_.size()) - entry.first_texture;
 }
 
 MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   const MaterialEntry& entry = entries_[material];
   MaterialValues values = entry.values;
-  values.color = evaluate(entry.color, p);
-  values.ambient = evaluate(entry.ambient, p);
-  values.diffuse = evaluate(entry.diffuse, p);
-  values.emission = evaluate(entry.emission, p);
+  for (std::uint32_t i = 0; i < entry.texture_count; ++i) {
+    const Texture& texture = textures_[entry.first_texture + i];
+    const Color shown = evaluate(texture.pattern, p);
+    if (const auto* color = std::get_if<Color MaterialValues::*>(&texture.property))
+      values.** color = shown;
+    else
+      values.*std::get<double MaterialValues::*>(texture.property) = shown.r;
+  }
   return values;
 }
 
 // Every pattern, also one that stands within another, lives in the space of the object that writes the material. A
 // pattern refers to patterns that were made before it, so the walk ends.
-Color Materials::evaluate(const scene::Paint& paint, const Vec3& p) const {
-  const scene::Paint* at = &paint;
-  while (const scene::PatternId* id = std::get_if<scene::PatternId>(at)) {
-    const Pattern& pattern = patterns_[static_cast<std::size_t>(*id)];
-    at = is_first_of_checker(pattern.to_pattern.point(p)) ? &pattern.a : &pattern.b;
+Color Materials::evaluate(scene::PatternId id, const Vec3& p) const {
+  scene::Paint shown = id;
+  while (const scene::PatternId* next = std::get_if<scene::PatternId>(&shown)) {
+    const Pattern& pattern = patterns_[static_cast<std::size_t>(*next)];
+    const Vec3 q = pattern.to_pattern.point(p);
+    shown = std::visit([&](const auto& layout) { return paint_at(layout, q); }, pattern.layout);
   }
-  return std::get<Color>(*at);
+  return std::get<Color>(shown);
 }
 
 } // namespace rt

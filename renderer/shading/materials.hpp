@@ -3,6 +3,7 @@
 #include "renderer/math/affine.hpp"
 #include "renderer/scene/scene.hpp"
 
+#include <variant>
 #include <vector>
 
 namespace rt {
@@ -19,6 +20,7 @@ struct MaterialValues {
   double ior = 1;
   scene::Highlight highlight = scene::Highlight::blinn;
   bool fresnel = false;
+  friend bool operator==(const MaterialValues&, const MaterialValues&) = default;
 };
 
 /// The materials and patterns of a scene, ready to be evaluated.
@@ -35,7 +37,7 @@ public:
   static std::uint32_t index(scene::MaterialId material) { return static_cast<std::uint32_t>(material) + 1; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(entries_.size()); }
 
-  bool has_patterns(std::uint32_t material) const { return entries_[material].has_patterns; }
+  bool has_patterns(std::uint32_t material) const { return entries_[material].texture_count > 0; }
 
   /// The values of a material without patterns; those of one with them are only right in what cannot be a pattern.
   const MaterialValues& constant(std::uint32_t material) const { return entries_[material].values; }
@@ -46,17 +48,22 @@ public:
 private:
   struct MaterialEntry {
     MaterialValues values;
-    scene::Paint color, ambient, diffuse, emission;
-    bool has_patterns = false;
+    std::uint32_t first_texture = 0, texture_count = 0;
+  };
+  // A property that a pattern gives.
+  struct Texture {
+    scene::PatternId pattern;
+    std::variant<Color MaterialValues::*, double MaterialValues::*> property;
   };
   struct Pattern {
     Affine to_pattern; // from the space it lives in
-    scene::Paint a, b;
+    scene::PatternLayout layout;
   };
   void add(const scene::Material& material);
-  Color evaluate(const scene::Paint& paint, const Vec3& p) const;
+  Color evaluate(scene::PatternId pattern, const Vec3& p) const;
 
   std::vector<MaterialEntry> entries_;
+  std::vector<Texture> textures_; // by material
   std::vector<Pattern> patterns_;
 };
 

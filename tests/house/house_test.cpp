@@ -61,7 +61,11 @@ constexpr Arrow arrows[] = {
     // From the description of a scene to its picture
     {"renderer/fields", "renderer/math"},
     {"renderer/shapes", "renderer/fields"},
+    {"renderer/patterns", "renderer/fields"},
+    {"renderer/lights", "renderer/fields"},
     {"renderer/scene", "renderer/shapes"},
+    {"renderer/scene", "renderer/patterns"},
+    {"renderer/scene", "renderer/lights"},
     {"renderer/shading", "renderer/scene"},
     {"renderer/bvh", "renderer/math"}, // knows boxes, never shapes
     {"renderer/compile", "renderer/shading"},
@@ -204,6 +208,17 @@ std::vector<std::string> peeping(const Sources& sources) {
   return list;
 }
 
+/// Every table that is indexed by a variant's position, as "file: index". With one more alternative it would be read
+/// beyond its end: a visit, which then does not compile, says the same.
+std::vector<std::string> indexed_by_position(const Sources& sources) {
+  static const std::regex index(R"(\[[^\][]*\.index\(\)\s*\])");
+  std::vector<std::string> list;
+  for (const auto& [path, text] : sources)
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), index); match != std::sregex_iterator(); ++match)
+      list.push_back(path + ": " + match->str());
+  return list;
+}
+
 std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> list;
@@ -277,6 +292,14 @@ TEST_CASE("house: a header includes no using namespace and is guarded") {
     CHECK(text.starts_with("#pragma once\n"));
     CHECK(text.find("using namespace") == std::string::npos);
   }
+}
+
+TEST_CASE("house: no table is indexed by a variant's position") {
+  CHECK(indexed_by_position(all_sources()) == std::vector<std::string>{});
+  const Sources bad{{"tools/names.cpp", "return nouns[light."
+                                        "source.index() ];\nreturn table[i];\n"}};
+  CHECK(indexed_by_position(bad) == std::vector<std::string>{"tools/names.cpp: [light."
+                                                             "source.index() ]"});
 }
 
 TEST_CASE("house: tools/packages names a package for all that CMake looks for") {

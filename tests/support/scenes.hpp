@@ -68,7 +68,7 @@ public:
   }
   scene::PatternId checker(const Color& a, const Color& b, const scene::Placement& placement = {}) {
     scene::Pattern p;
-    p.a = a, p.b = b, p.placement = placement;
+    p.layout = scene::Checker{a, b}, p.placement = placement;
     return pattern(p);
   }
 

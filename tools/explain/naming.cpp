@@ -1,5 +1,7 @@
 #include "tools/explain/naming.hpp"
 
+#include "renderer/scene/names.hpp"
+
 #include <fmt/format.h>
 
 namespace rt::tools::explain {
@@ -38,21 +40,14 @@ const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint3
 std::string name_of(const scene::Scene& scene, const scene::Object& object) {
   if (object.name != scene::no_name) return fmt::format("`{}`", name_at(scene, object.name));
   if (object.shape.kind == scene::kind_of<scene::Combination>) {
-    static constexpr std::string_view operations[] = {"union", "intersection", "difference"};
-    return std::string(
-        operations[static_cast<std::size_t>(scene.shapes.get<scene::Combination>(object.shape).operation)]);
+    return std::string(noun(scene.shapes.get<scene::Combination>(object.shape).operation));
   }
-  return scene.shapes.visit(object.shape, [](const auto& shape) { return std::string(shape.noun); });
+  return std::string(noun(scene.shapes, object.shape));
 }
 
 std::string name_of(const scene::Scene& scene, const scene::Light& light) {
   if (light.name != scene::no_name) return fmt::format("`{}`", name_at(scene, light.name));
-  struct {
-    std::string operator()(const scene::PointLight&) const { return "light"; }
-    std::string operator()(const scene::SunLight&) const { return "sun"; }
-    std::string operator()(const scene::SpotLight&) const { return "spot"; }
-  } noun;
-  return std::visit(noun, light.source);
+  return std::string(noun(light.source));
 }
 
 std::string Namer::place(scene::Origin origin) const {

@@ -1,4 +1,5 @@
 #include "tools/explain/json.hpp"
+#include "renderer/scene/names.hpp"
 #include "tools/explain/naming.hpp"
 #include "tools/explain/why_surface.hpp"
 
@@ -42,7 +43,6 @@ json intervals_json(const LineIntervals& intervals) {
 }
 
 json combination_json(const scene::Scene& scene, const CombinationIntervals& c) {
-  static constexpr std::string_view names[] = {"union", "intersection", "difference"};
   json operands = json::array();
   for (const OperandIntervals& operand : c.operands) {
     json o{{"object", name_of(scene, *operand.object)}};
@@ -50,9 +50,7 @@ json combination_json(const scene::Scene& scene, const CombinationIntervals& c) 
     o["inside"] = intervals_json(operand.inside);
     operands.push_back(std::move(o));
   }
-  return {{"operation", names[static_cast<std::size_t>(c.operation)]},
-          {"operands", std::move(operands)},
-          {"inside", intervals_json(c.inside)}};
+  return {{"operation", noun(c.operation)}, {"operands", std::move(operands)}, {"inside", intervals_json(c.inside)}};
 }
 
 std::string_view name_of(MediumTransition::Kind kind) {

@@ -1,6 +1,7 @@
 #include "tools/explain/why_surface.hpp"
 
 #include "renderer/compile/geometries.hpp"
+#include "renderer/scene/names.hpp"
 #include "renderer/shading/optics.hpp"
 #include "tools/explain/naming.hpp"
 
@@ -39,18 +40,6 @@ void write_derivation(const Derivation& d, Page& page, int indent) {
   page.line(indent + 2, (d.choice.empty() ? "" : d.choice + "; ") + agreement_text(d));
 }
 
-std::string_view name_of(scene::Combination::Operation operation) {
-  switch (operation) {
-  case scene::Combination::Operation::unite:
-    return "union";
-  case scene::Combination::Operation::intersect:
-    return "intersection";
-  case scene::Combination::Operation::subtract:
-    return "difference";
-  }
-  return "";
-}
-
 std::string text_of(const LineIntervals& intervals) {
   if (intervals.empty()) return "nowhere";
   constexpr std::size_t most = 6;
@@ -65,7 +54,7 @@ std::string text_of(const LineIntervals& intervals) {
 void write_combination(const Answer& answer, const SurfaceNode& s, const CombinationIntervals& c, Page& page,
                        int indent) {
   constexpr std::size_t most = 12;
-  page.line(indent, fmt::format("{} of solids, each a list of intervals of the line", name_of(c.operation)));
+  page.line(indent, fmt::format("{} of solids, each a list of intervals of the line", noun(c.operation)));
   std::size_t written = 0, missed = 0;
   for (std::size_t i = 0; i < c.operands.size(); ++i) {
     const OperandIntervals& operand = c.operands[i];
@@ -136,22 +125,36 @@ void write_filters(const Answer& answer, const LightNode& light, Page& page, int
   if (light.in_the_way.size() > most) page.line(indent, fmt::format("and {} more", light.in_the_way.size() - most));
 }
 
-std::string where_text(const Light& light, const LightSample& sample) {
+bool fades(const scene::LightSource& source) {
+  return std::visit(
+      [](const auto& light) {
+        if constexpr (requires { light.fade; })
+          return light.fade.law != scene::Fade::Law::none;
+        else
+          return false;
+      },
+      source);
+}
+
+bool has_cone(const scene::LightSource& source) {
+  return std::holds_alternative<scene::SpotLight>(source);
+}
+
+std::string where_text(const scene::LightSource& source, const LightSample& sample) {
   std::string text =
-      light.kind == Light::Kind::sun ? "infinitely far" : fmt::format("distance {}", number_text(sample.distance));
-  if (light.fade.law != scene::Fade::Law::none && light.kind != Light::Kind::sun)
-    text += fmt::format(", fade {}", number_text(sample.fade));
-  if (light.kind == Light::Kind::spot) text += fmt::format(", in the cone {}", number_text(sample.spot));
+      std::isinf(sample.distance) ? "infinitely far" : fmt::format("distance {}", number_text(sample.distance));
+  if (fades(source)) text += fmt::format(", fade {}", number_text(sample.fade));
+  if (has_cone(source)) text += fmt::format(", in the cone {}", number_text(sample.spot));
   return text;
 }
 
 void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& node, Page& page, int indent) {
   const LightRecord& r = node.record;
   const Light& light = answer.compiled.lights()[r.light];
+  const scene::LightSource& source = answer.scene.lights[r.light].source;
   const MaterialValues& m = s.material;
-  const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(light, r.sample));
-  if (light.kind != Light::Kind::sun && r.sample.distance == 0)
-    return page.line(indent, name + ": it is at this very point and does not light it");
+  const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(source, r.sample));
+  if (r.sample.distance == 0) return page.line(indent, name + ": it is at this very point and does not light it");
   if (!(r.cos_light > 0))
     return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));
   const std::string facing = fmt::format("{}, {}", name, cosine_text("n·l", r.cos_light));
@@ -164,11 +167,9 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
   write_filters(answer, node, page, indent + 2);
   if (r.filter == black) return;
   const Color arriving = r.sample.color * r.filter;
-  page.line(indent + 2,
-            fmt::format("C_L = color·intensity{}{}{} = {}",
-                        light.fade.law != scene::Fade::Law::none && light.kind != Light::Kind::sun ? "·fade" : "",
-                        light.kind == Light::Kind::spot ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
-                        color_text(arriving)));
+  page.line(indent + 2, fmt::format("C_L = color·intensity{}{}{} = {}", fades(source) ? "·fade" : "",
+                                    has_cone(source) ? "·cone" : "", node.in_the_way.empty() ? "" : "·filter",
+                                    color_text(arriving)));
   page.line(indent + 2,
             fmt::format("diffuse = C_L·a·c·{}·(n·l) = {}", color_text(m.diffuse), color_text(r.reflected.diffuse)));
   if (m.specular == 0) return;

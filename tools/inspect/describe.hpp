@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/scene/names.hpp"
 #include "renderer/scene/scene.hpp"
 
 #include <type_traits>
@@ -28,7 +29,7 @@ public:
     list("lights", scene_.lights, [this](const scene::Light& l) { light(l); });
     list("materials", scene_.materials, [this](const scene::Material& m) {
       sink_.begin_object();
-      fields(scene::material_fields(), &m);
+      fields(scene::fields(&m), &m);
       sink_.end_object();
     });
     list("patterns", scene_.patterns, [this](const scene::Pattern& p) { pattern(p); });
@@ -39,7 +40,7 @@ public:
     });
     list("combinations", scene_.shapes.template all<scene::Combination>(), [this](const scene::Combination& c) {
       sink_.begin_object();
-      text("operation", name_of(c.operation));
+      text("operation", noun(c.operation));
       list("operands", c.operands, [this](const scene::Object& o) { object(o); });
       sink_.end_object();
     });
@@ -98,57 +99,16 @@ private:
     for (const Vec3& point : points) vector(point);
     sink_.end_array();
   }
-  void value(const scene::Field& field, const scene::Paint& paint) {
-    if (const Color* color = std::get_if<Color>(&paint)) return value(field, *color);
+  void value(const scene::Field&, scene::PatternId pattern) {
     sink_.begin_object();
-    number("pattern", static_cast<double>(std::get<scene::PatternId>(paint)));
+    number("pattern", static_cast<double>(pattern));
     sink_.end_object();
   }
   void value(const scene::Field&, const scene::Fade& fade) {
     sink_.begin_object();
-    text("law", name_of(fade.law));
+    text("law", scene::name(fade.law));
     number("distance", fade.distance);
     sink_.end_object();
-  }
-
-  static std::string_view name_of(scene::Fade::Law law) {
-    switch (law) {
-    case scene::Fade::Law::none:
-      return "none";
-    case scene::Fade::Law::linear:
-      return "linear";
-    case scene::Fade::Law::quadratic:
-      return "quadratic";
-    case scene::Fade::Law::inverse_square:
-      return "inverse_square";
-    }
-    return "";
-  }
-  static std::string_view name_of(scene::Combination::Operation operation) {
-    switch (operation) {
-    case scene::Combination::Operation::unite:
-      return "union";
-    case scene::Combination::Operation::intersect:
-      return "intersection";
-    case scene::Combination::Operation::subtract:
-      return "difference";
-    }
-    return "";
-  }
-  static std::string_view name_of(scene::PatternKind kind) {
-    switch (kind) {
-    case scene::PatternKind::checker:
-      return "checker";
-    }
-    return "";
-  }
-  static std::string_view name_of(const scene::LightSource& source) {
-    struct {
-      std::string_view operator()(const scene::PointLight&) const { return "light"; }
-      std::string_view operator()(const scene::SunLight&) const { return "sun"; }
-      std::string_view operator()(const scene::SpotLight&) const { return "spot"; }
-    } name;
-    return std::visit(name, source);
   }
 
   void members(const scene::ScaleStep& s) { vector("scale", s.factors), vector("about", s.about); }
@@ -199,7 +159,7 @@ private:
 
   void light(const scene::Light& l) {
     sink_.begin_object();
-    text("light", name_of(l.source));
+    text("light", noun(l.source));
     std::visit([this](const auto& source) { fields(scene::fields(&source), &source); }, l.source);
     chain(l.chain);
     if (!l.enclosing.empty()) {
@@ -216,8 +176,8 @@ private:
 
   void pattern(const scene::Pattern& p) {
     sink_.begin_object();
-    text("pattern", name_of(p.kind));
-    fields(scene::pattern_fields(), &p);
+    text("pattern", noun(p.layout));
+    std::visit([this](const auto& layout) { fields(scene::fields(&layout), &layout); }, p.layout);
     placement(p.placement);
     sink_.end_object();
   }

@@ -110,6 +110,12 @@ constexpr FeatureEntry materials[] = {
     {"pattern_of_numbers", "color: checker { a: khaki, b: teal, scale: 0.3 }, ambient: checker { a: 0, b: 2, scale: "
                            "0.5 }, diffuse: checker { a: 0.9, b: 0.3, scale: 0.23, at: [0.1, 0.1, 0.1] }, emission: "
                            "checker { a: 0, b: 0.3, scale: 0.4, rotate: [0, 0, 45] }"},
+    {"pattern_of_finish",
+     "color: peru, specular: checker { a: 0.8, b: 0.1, scale: 0.4 }, shininess: checker { a: 60, b: "
+     "5, scale: 0.3 }, metallic: checker { scale: 0.5 }, reflect: checker { a: skyblue, b: 0.05, "
+     "scale: 0.35 }"},
+    {"pattern_of_refract",
+     "color: khaki, refract: checker { a: 0.9, b: 0, scale: 0.45 }, ior: 1.25, reflect: 0.5, fresnel: true"},
     {"pattern_in_glass",
      "color: checker { a: white, b: skyblue, scale: 0.37 }, refract: 0.85, ior: 1.25, diffuse: 0.3"},
 };

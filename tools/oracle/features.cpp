@@ -1,5 +1,7 @@
 #include "tools/oracle/features.hpp"
 
+#include "renderer/scene/names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,20 +29,9 @@ const std::vector<std::string> structures{"group",
                                           "scale, one factor",
                                           "mirrored by scale",
                                           "rotate",
-                                          "step scale",
-                                          "step rotate",
-                                          "step rotate about an axis",
-                                          "step move",
-                                          "step shear",
-                                          "step mirror",
-                                          "step matrix",
                                           "step about a point",
                                           "material inherited",
                                           "material of a solid's part",
-                                          "pattern color",
-                                          "pattern ambient",
-                                          "pattern diffuse",
-                                          "pattern emission",
                                           "pattern in a pattern",
                                           "pattern placed",
                                           "transparent",
@@ -86,16 +77,12 @@ private:
   }
 
   void light(const Light& light) {
-    constexpr const char* nouns[] = {"light", "sun", "spot"};
-    const std::string noun = nouns[light.source.index()];
-    found_.insert(noun);
+    found_.emplace(noun(light.source));
     std::visit(
         [&]<class L>(const L& source) {
-          written(fields(&source), &source, L{}, noun);
-          if constexpr (!std::is_same_v<L, SunLight>) {
-            constexpr const char* laws[] = {"", "fade linear", "fade quadratic", "fade inverse_square"};
-            if (source.fade.law != Fade::Law::none) found_.insert(laws[static_cast<int>(source.fade.law)]);
-          }
+          written(fields(&source), &source, L{}, std::string(L::noun));
+          if constexpr (requires { source.fade; })
+            if (source.fade.law != Fade::Law::none) found_.insert(fmt::format("fade {}", name(source.fade.law)));
         },
         light.source);
     if (!light.enclosing.empty()) found_.insert("light in a group");
@@ -124,8 +111,7 @@ private:
   }
 
   void shape(const Combination& c, const Object&, MaterialId id, int depth, bool in_solid) {
-    constexpr const char* names[] = {"union", "intersection", "difference"};
-    found_.insert(names[static_cast<int>(c.operation)]);
+    found_.emplace(noun(c.operation));
     if (in_solid) found_.insert("solid in a solid");
     if (is_clear(id)) found_.insert("transparent solid");
     for (const Object& operand : c.operands) object(operand, id, depth + 1, true);
@@ -142,32 +128,32 @@ private:
   }
 
   bool is_clear(MaterialId id) const {
-    return id != no_material && scene_.materials[static_cast<std::size_t>(id)].refract > 0;
+    return id != no_material && !is_opaque(scene_.materials[static_cast<std::size_t>(id)]);
   }
 
   void material(const Material& m) {
-    written(material_fields(), &m, Material{}, "material");
-    const std::pair<const Paint&, const char*> paints[] = {{m.color, "pattern color"},
-                                                           {m.ambient, "pattern ambient"},
-                                                           {m.diffuse, "pattern diffuse"},
-                                                           {m.emission, "pattern emission"}};
-    for (const auto& [paint, name] : paints)
-      if (const PatternId* id = std::get_if<PatternId>(&paint)) {
-        found_.insert(name);
-        pattern(*id);
-      }
+    written(fields(&m), &m, Material{}, "material");
+    for (const Field& field : fields(&m))
+      for_each_pattern({&field, 1}, &m, [&](PatternId id) {
+        found_.insert(fmt::format("pattern {}", field.name));
+        pattern(id);
+      });
   }
 
   void pattern(PatternId id) {
     const Pattern& p = scene_.patterns[static_cast<std::size_t>(id)];
-    written(pattern_fields(), &p, Pattern{}, "pattern");
     const Placement& place = p.placement;
     if (place.scale != Vec3{1, 1, 1} || place.rotate != Vec3{} || place.at != Vec3{}) found_.insert("pattern placed");
-    for (const Paint& part : {p.a, p.b})
-      if (const PatternId* inner = std::get_if<PatternId>(&part)) {
-        found_.insert("pattern in a pattern");
-        pattern(*inner);
-      }
+    std::visit(
+        [&]<class P>(const P& layout) {
+          found_.emplace(P::noun);
+          written(fields(&layout), &layout, P{}, std::string(P::noun));
+          for_each_pattern(fields(&layout), &layout, [&](PatternId inner) {
+            found_.insert("pattern in a pattern");
+            pattern(inner);
+          });
+        },
+        p.layout);
   }
 
   void placement(const Placement& p) {
@@ -175,11 +161,8 @@ private:
       found_.insert(p.scale.x == p.scale.y && p.scale.y == p.scale.z ? "scale, one factor" : "scale");
     if (p.scale.x * p.scale.y * p.scale.z < 0) found_.insert("mirrored by scale");
     if (p.rotate != Vec3{}) found_.insert("rotate");
-    constexpr const char* steps[] = {"step scale", "step rotate", "step rotate about an axis",
-                                     "step move",  "step shear",  "step mirror",
-                                     "step matrix"};
     for (const Step& step : p.chain) {
-      found_.insert(steps[step.index()]);
+      found_.insert(fmt::format("step {}", noun(step)));
       std::visit(
           [&](const auto& s) {
             if constexpr (requires { s.about; })
@@ -205,14 +188,20 @@ std::vector<std::string> feature_names() {
       add_field_names<S>(names, std::string(S::noun));
     }
   });
-  for (const Field& f : material_fields()) names.push_back(fmt::format("material.{}", f.name));
-  for (const Field& f : pattern_fields()) names.push_back(fmt::format("pattern.{}", f.name));
-  for (const char* noun : {"light", "sun", "spot"}) names.emplace_back(noun);
-  add_field_names<PointLight>(names, "light");
-  add_field_names<SunLight>(names, "sun");
-  add_field_names<SpotLight>(names, "spot");
+  add_field_names<Material>(names, "material");
+  for (const Field& f : fields(static_cast<const Material*>(nullptr)))
+    if (f.is_textured) names.push_back(fmt::format("pattern {}", f.name));
+  PatternKinds::for_each([&]<class P>() {
+    names.emplace_back(P::noun);
+    add_field_names<P>(names, std::string(P::noun));
+  });
+  LightKinds::for_each([&]<class L>() {
+    names.emplace_back(L::noun);
+    add_field_names<L>(names, std::string(L::noun));
+  });
   add_field_names<Camera>(names, "camera");
   add_field_names<Scene>(names, "scene");
+  StepKinds::for_each([&]<class S>() { names.push_back(fmt::format("step {}", S::noun)); });
   for (const std::string& structure : structures) names.push_back(structure);
   return names;
 }

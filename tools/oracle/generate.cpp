@@ -59,12 +59,16 @@ std::string ior(Dice& dice) {
   return dice.chance(0.9) ? text((64 + dice.below(90)) / 64.0) : text(dice.between(1, 2.4));
 }
 
-void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
-  const auto number = [&](Dice& d) { return text(d.between(low, high)); };
+// A value or a pattern of them.
+void set_value(Dice& dice, Block& material, const char* name, const std::function<std::string(Dice&)>& value) {
   if (dice.chance(0.2))
-    material.set(name, checker(dice, 0, number));
+    material.set(name, checker(dice, 0, value));
   else
-    material.set(name, number(dice));
+    material.set(name, value(dice));
+}
+
+void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
+  set_value(dice, material, name, [&](Dice& d) { return text(d.between(low, high)); });
 }
 
 Block opaque(Dice& dice) {
@@ -77,17 +81,18 @@ Block opaque(Dice& dice) {
   if (dice.chance(0.4)) set_number(dice, m, "diffuse", 0.2, 1);
   if (dice.chance(0.15)) set_number(dice, m, "emission", 0.1, 0.6);
   if (dice.chance(0.5)) {
-    m.set("specular", text(dice.between(0.1, 1)));
-    if (dice.chance(0.8)) m.set("shininess", text(std::exp(dice.between(0, 5.5))));
+    set_number(dice, m, "specular", 0.1, 1);
+    if (dice.chance(0.8)) set_value(dice, m, "shininess", [](Dice& d) { return text(std::exp(d.between(0, 5.5))); });
     if (dice.chance(0.4)) m.set("highlight", dice.chance(0.85) ? "phong" : "blinn");
   }
-  if (dice.chance(0.3)) m.set("metallic", text(dice.chance(0.3) ? 1 : dice.unit()));
-  if (dice.chance(0.3)) m.set("reflect", dice.chance(0.7) ? text(dice.between(0.05, 0.6)) : color(dice));
+  if (dice.chance(0.3)) set_value(dice, m, "metallic", [](Dice& d) { return text(d.chance(0.3) ? 1 : d.unit()); });
+  if (dice.chance(0.3))
+    set_value(dice, m, "reflect", [](Dice& d) { return d.chance(0.7) ? text(d.between(0.05, 0.6)) : color(d); });
   return m;
 }
 
 void make_clear(Dice& dice, Block& m, const std::string& index) {
-  m.set("refract", text(dice.chance(0.2) ? 1 : dice.between(0.4, 0.98)));
+  set_value(dice, m, "refract", [](Dice& d) { return text(d.chance(0.2) ? 1 : d.between(0.4, 0.98)); });
   if (!index.empty()) m.set("ior", index);
   if (dice.chance(0.45)) m.set("fresnel", "true");
 }

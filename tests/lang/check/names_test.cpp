@@ -97,8 +97,8 @@ TEST_CASE("names: CSS colours and functions of the same name keep apart") {
   REQUIRE(loaded.scene);
   const scene::Scene& scene = *loaded.scene;
   CHECK(std::get<Color>(scene.materials[0].color).r ==
-        Approx(0.6444796819705821).epsilon(1e-12)); // #d2: 210/255 decoded
-  CHECK(scene.materials[1].metallic == 1);          // gold the metal
+        Approx(0.6444796819705821).epsilon(1e-12));              // #d2: 210/255 decoded
+  CHECK(scene.materials[1].metallic == scene::NumberPaint(1.0)); // gold the metal
   const auto& light = std::get<scene::PointLight>(scene.lights[0].source);
   CHECK(light.color.r == 1); // #ffd700
   CHECK(light.color.b == 0);

@@ -258,13 +258,13 @@ TEST_CASE("materials: colours, patterns and records serve as materials") {
   CHECK(scene.patterns.size() == 3);
   CHECK(std::holds_alternative<scene::PatternId>(
       scene.materials[static_cast<std::size_t>(scene.objects[1].material)].color));
-  CHECK(scene.materials[static_cast<std::size_t>(scene.objects[2].material)].reflect == grey(0.5));
+  CHECK(scene.materials[static_cast<std::size_t>(scene.objects[2].material)].reflect == scene::Paint(grey(0.5)));
   CHECK(scene.objects[0].material == scene.objects[4].material);
   // A record is a material of its own, not a change of the inherited one.
   const scene::Scene changed =
       scene_of("a = sphere { material: { color: blue, reflect: 0.5 } }\na { material: { color: red } }");
   CHECK(changed.materials.size() == 1);
-  CHECK(changed.materials[0].reflect == black);
+  CHECK(changed.materials[0].reflect == scene::Paint(black));
 }
 
 TEST_CASE("materials: a record's misspelt property is reported where its name stands, with what others call it") {

@@ -45,7 +45,7 @@ scene::MaterialId mirror(SceneBuilder& k, const Color& reflect, bool fresnel = f
 scene::MaterialId glass(SceneBuilder& k, double ior) {
   scene::Material m;
   m.ambient = m.diffuse = grey(0);
-  m.reflect = white, m.refract = 1, m.ior = ior, m.fresnel = true;
+  m.reflect = white, m.refract = 1.0, m.ior = ior, m.fresnel = true;
   return k.material(m);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("whitted: a mirror's colour and a metal's tint weight the mirrored ray
     SceneBuilder k;
     scene::Material m;
     m.color = Color{1, 0.5, 0}, m.ambient = m.diffuse = grey(0);
-    m.reflect = {0.5, 0.25, 0.125}, m.metallic = metallic;
+    m.reflect = Color{0.5, 0.25, 0.125}, m.metallic = metallic;
     k.add(k.plane({0, 0, 1}, 0).with(k.material(m)));
     k.scene.background = white;
     // At 45° Φ = 0.0262831 by the formula of POV-Ray's manual.
@@ -111,7 +111,7 @@ TEST_CASE("whitted: what a dielectric does not mirror it lets by") {
 TEST_CASE("whitted: refraction turns a ray by Snell's law and a slab shifts it in parallel") {
   SceneBuilder k;
   scene::Material m;
-  m.ambient = m.diffuse = grey(0), m.refract = 1, m.ior = 1.5;
+  m.ambient = m.diffuse = grey(0), m.refract = 1.0, m.ior = 1.5;
   k.add(k.box({-10, -10, -1}, {10, 10, 0}).with(k.material(m)));
   const RayList list = rays_of(k, {0, 5, 5}, {0, -1, -1});
   REQUIRE(list.rays.size() == 3);
@@ -153,7 +153,7 @@ TEST_CASE("whitted: beyond the critical angle all light is mirrored, with weight
 TEST_CASE("whitted: a surface with equal indices on both sides bends nothing and costs no depth") {
   SceneBuilder k;
   scene::Material m;
-  m.color = grey(0.5), m.ambient = m.diffuse = grey(0), m.refract = 1;
+  m.color = grey(0.5), m.ambient = m.diffuse = grey(0), m.refract = 1.0;
   const auto pane = k.material(m);
   for (int i = 1; i <= 8; ++i) k.add(k.plane({0, 0, 1}, -1.0 * i).with(pane));
   k.add(k.plane({0, 0, 1}, -10).with(k.glow(1)));

@@ -62,7 +62,7 @@ TEST_CASE(
     "whitted: Blinn's highlight is a power of the cosine to the half-way vector, Phong's of that to the mirrored one") {
   scene::Material m = no_light();
   m.color = Color{0.5, 0.5, 0.5};
-  m.specular = 0.75, m.shininess = 10;
+  m.specular = 0.75, m.shininess = 10.0;
   // The viewer looks along the normal, the light is at 60°: h is at 30°, and the mirrored light at 60° from the viewer.
   for (const auto& [form, cosine] :
        {std::pair{scene::Highlight::blinn, std::sqrt(3) / 2}, {scene::Highlight::phong, 0.5}}) {
@@ -80,7 +80,7 @@ TEST_CASE(
 TEST_CASE("whitted: a metal's highlight takes its colour, less so towards grazing angles") {
   scene::Material m = no_light();
   m.color = Color{1, 0.5, 0};
-  m.specular = 1, m.shininess = 1, m.metallic = 0.5;
+  m.specular = 1.0, m.shininess = 1.0, m.metallic = 0.5;
   SceneBuilder k;
   k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
   k.point_light(above_floor(60, 3));
@@ -168,7 +168,7 @@ TEST_CASE("whitted: lights move with the composites they stand in") {
 TEST_CASE("whitted: a light without shadows passes everything and makes no highlight") {
   SceneBuilder k;
   scene::Material m;
-  m.specular = 1;
+  m.specular = 1.0;
   k.add(k.plane({0, 1, 0}, 0).with(k.material(m)));
   k.add(k.sphere(0.5).at({3, 3, 0}));
   scene::PointLight light;
@@ -251,6 +251,41 @@ TEST_CASE("whitted: a pattern moves with the object that writes it and has a pla
   CHECK(asked.radiance({102.4, 3, 0.5}, {0, -1, 0}) == b);
   CHECK(asked.radiance({102.6, 3, 0.5}, {0, -1, 0}) == a);
   CHECK(asked.radiance({100.4, 3, 0.5}, {0, -1, 0}) == a);
+}
+
+TEST_CASE("whitted: a pane that is clear by a pattern lets light by there, and blocks it elsewhere") {
+  SceneBuilder k;
+  scene::Material pane = no_light();
+  pane.color = Color{1, 0.5, 0.25}, pane.refract = k.checker(grey(1), grey(0));
+  k.add(k.plane({0, 1, 0}, 0));
+  k.add(k.box({-4, 1.1, -4}, {4, 1.2, 4}).with(k.material(pane)));
+  k.sun({0, -1, 0});
+  Asked asked(k);
+  const auto floor_at = [&](double x) { return asked.radiance({x, 0.5, 0.5}, {0, -1, 0}); };
+  // A clear cell is crossed twice, each time in the pane's colour.
+  CHECK(floor_at(1.5) == Color{0.8, 0.8 * 0.25, 0.8 * 0.0625});
+  CHECK(floor_at(0.5) == black);
+  // The eye sees through the same cells: of the floor's light what the pane lets by once more.
+  CHECK(asked.radiance({1.5, 3, 0.5}, {0, -1, 0}) == Color{0.8, 0.8 * 0.0625, 0.8 * 0.00390625});
+  CHECK(asked.radiance({0.5, 3, 0.5}, {0, -1, 0}) == black);
+}
+
+TEST_CASE("whitted: highlights and mirrors that come and go by a pattern") {
+  SceneBuilder shiny, mirror;
+  scene::Material m = no_light();
+  m.specular = shiny.checker(grey(0.5), grey(0)), m.shininess = shiny.checker(grey(8), grey(1));
+  shiny.add(shiny.plane({0, 1, 0}, 0).with(shiny.material(m)));
+  shiny.sun({0, -1, 0});
+  Asked highlight(shiny);
+  CHECK(highlight.radiance({0.5, 1, 0.5}, {0, -1, 0}) == grey(0.5)); // n·h is 1
+  CHECK(highlight.radiance({1.5, 1, 0.5}, {0, -1, 0}) == black);
+
+  m = no_light(), m.reflect = mirror.checker(Color{0.5, 1, 0}, black);
+  mirror.add(mirror.plane({0, 1, 0}, 0).with(mirror.material(m)));
+  mirror.scene.background = grey(0.25);
+  Asked mirrored(mirror);
+  CHECK(mirrored.radiance({0.5, 1, 0.5}, {0, -1, 0}) == Color{0.125, 0.25, 0});
+  CHECK(mirrored.radiance({1.5, 1, 0.5}, {0, -1, 0}) == black);
 }
 
 TEST_CASE("whitted: a triangle with normals of its own is shaded by them") {

@@ -28,10 +28,10 @@ Object of(ShapeRef shape) {
 Builder sound() {
   Builder build;
   Material glass;
-  glass.refract = 1, glass.ior = 1.5;
-  const PatternId dots = build.pattern({.a = white, .b = black});
+  glass.refract = 1.0, glass.ior = 1.5;
+  const PatternId dots = build.pattern({Checker{white, black}, {}});
   Material tiled;
-  tiled.color = build.pattern({.a = dots, .b = white});
+  tiled.color = build.pattern({Checker{dots, white}, {}});
   Object ball = of(build.shape(Sphere{2}));
   ball.material = build.material(glass);
   ball.transform = build.transform({{1, 2, 1}, {}, {}, {}}).value();
@@ -85,7 +85,8 @@ TEST_CASE("validate: every field keeps its constraint") {
   CHECK(broken(Kind::value, [](Scene& s) {
           s.materials[1].diffuse = Color{1, 1, nothing};
         }) == Paths{"materials[1].diffuse"});
-  CHECK(broken(Kind::value, [](Scene& s) { s.patterns[0].b = grey(-1); }) == Paths{"patterns[0].b"});
+  CHECK(broken(Kind::value, [](Scene& s) { std::get<Checker>(s.patterns[0].layout).b = grey(-1); }) ==
+        Paths{"patterns[0].b"});
   CHECK(broken(Kind::value, [](Scene& s) { s.shapes.all<Sphere>()[0].radius = 0; }) ==
         Paths{"objects[0].members[0].radius"});
   CHECK(broken(Kind::value, [](Scene& s) { s.shapes.all<Sphere>()[1].radius = infinity; }) ==
@@ -170,8 +171,10 @@ TEST_CASE("validate: references lead to what is there, and not in circles") {
         Paths{"objects[1].transform"});
   CHECK(broken(Kind::reference, [](Scene& s) { s.objects[1].name = NameId{1}; }) == Paths{"objects[1].name"});
   CHECK(broken(Kind::reference, [](Scene& s) { s.lights[0].name = NameId{1}; }) == Paths{"lights[0].name"});
-  CHECK(broken(Kind::reference, [](Scene& s) { s.patterns[0].a = PatternId{1}; }) == Paths{"patterns[0].a"});
-  CHECK(broken(Kind::reference, [](Scene& s) { s.patterns[1].a = PatternId{1}; }) == Paths{"patterns[1].a"});
+  CHECK(broken(Kind::reference, [](Scene& s) { std::get<Checker>(s.patterns[0].layout).a = PatternId{1}; }) ==
+        Paths{"patterns[0].a"});
+  CHECK(broken(Kind::reference, [](Scene& s) { std::get<Checker>(s.patterns[1].layout).a = PatternId{1}; }) ==
+        Paths{"patterns[1].a"});
   CHECK(broken(Kind::reference, [](Scene& s) { s.materials[0].color = PatternId{2}; }) == Paths{"materials[0].color"});
   CHECK(broken(Kind::reference, [](Scene& s) {
           s.shapes.all<Combination>()[0].operands.push_back(of({kind_of<Combination>, 0}));

@@ -23,8 +23,9 @@ std::string text_of(const scene::Scene& scene) {
 /// A scene with something of everything.
 WrittenScene everything() {
   WrittenScene b;
-  const auto pattern = b.pattern({.a = Color{1, 0, 0}, .b = black, .placement = {{2, 2, 2}, {}, {}, {}}});
-  const auto tiled = b.material({.color = pattern, .reflect = {0.1, 0.2, 0.3}, .refract = 0.9, .ior = 1.5});
+  const auto pattern =
+      b.pattern({.layout = scene::Checker{Color{1, 0, 0}, black}, .placement = {{2, 2, 2}, {}, {}, {}}});
+  const auto tiled = b.material({.color = pattern, .reflect = Color{0.1, 0.2, 0.3}, .refract = 0.9, .ior = 1.5});
   b.scene.names = {"ball", "key \"light\"\n"};
   scene::Object& ball = b.place(scene::Sphere{0.1}, tiled, {1, 2, 1.0 / 3});
   ball.name = scene::NameId{0};
@@ -90,7 +91,8 @@ TEST_CASE("scene as JSON: settings, camera, lights, materials and patterns have 
   CHECK(material["color"] == json({{"pattern", 0}}));
   CHECK(material["reflect"] == json({0.1, 0.2, 0.3}));
   CHECK(material["highlight"] == "blinn");
-  for (const scene::Field& field : scene::material_fields()) CHECK(material.contains(std::string(field.name)));
+  for (const scene::Field& field : scene::fields(static_cast<const scene::Material*>(nullptr)))
+    CHECK(material.contains(std::string(field.name)));
   CHECK(j["patterns"][0]["pattern"] == "checker");
   CHECK(j["patterns"][0]["a"] == json({1, 0, 0}));
   CHECK(j["patterns"][0]["scale"] == json({2, 2, 2}));

@@ -41,8 +41,9 @@ void find_eye_inside(LintContext& context) {
         std::ranges::all_of(context.view.orders, [&](std::uint64_t order) { return order == around.order; });
     const auto holds_a_light = [&] {
       return std::ranges::any_of(context.query.scene().lights(), [&](const Light& light) {
-        if (light.kind == Light::Kind::sun) return false;
-        const auto solids = solids_around(context, light.at);
+        const std::optional<Vec3> at = position(light);
+        if (!at) return false;
+        const auto solids = solids_around(context, *at);
         return std::ranges::any_of(solids, [&](const Around& a) { return a.order == around.order; });
       });
     };
@@ -64,8 +65,9 @@ void find_lights_inside(LintContext& context) {
   };
   std::set<std::pair<Line, Line>> reported;
   for (std::size_t i = 0; i < std::min(lights.size(), most_lights); ++i) {
-    if (lights[i].kind == Light::Kind::sun || !lights[i].shadows) continue;
-    for (const Around& around : solids_around(context, lights[i].at)) {
+    const std::optional<Vec3> at = position(lights[i]);
+    if (!at || !lights[i].shadows) continue;
+    for (const Around& around : solids_around(context, *at)) {
       if (around.is_transparent || !around.casts_shadow || is_around_eye(around)) continue;
       const scene::Light& light = context.scene.lights[i];
       const Line place = line_of(light.origin), solid = line_of(thing_of(around.objects).origin);

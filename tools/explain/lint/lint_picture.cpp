@@ -20,7 +20,8 @@ struct LineInterval {
 };
 
 bool uses_media(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.materials, [](const scene::Material& m) { return m.refract > 0 && m.ior != 1; });
+  return std::ranges::any_of(scene.materials,
+                             [](const scene::Material& m) { return !scene::is_opaque(m) && m.ior != 1; });
 }
 
 /// Of the transparent solids up to the first opaque surface.
@@ -66,7 +67,7 @@ std::pair<std::string, std::string> darkness(const LintContext& context, const L
     return {where.empty() ? "something opaque always blocks it" : fmt::format("what {} places blocks it", where),
             "move one of them, or write `casts_shadow: false` where no shadow is wanted"};
   }
-  if (light.kind == Light::Kind::spot && tally.dark > 0 && tally.averted <= tally.dark)
+  if (std::holds_alternative<SpotEmitter>(light.emitter) && tally.dark > 0 && tally.averted <= tally.dark)
     return {"nothing visible is within its cone", "check its `look_at` and `angle`"};
   return {"everything visible faces away from it", "it shines from behind: move it to the camera's side"};
 }

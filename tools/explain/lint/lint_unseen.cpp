@@ -35,7 +35,7 @@ constexpr int probes = 96;
 constexpr int least_probes = 12;
 
 bool is_opaque(const scene::Scene& scene, scene::MaterialId material) {
-  return material == scene::no_material || scene.materials[static_cast<std::size_t>(material)].refract == 0;
+  return material == scene::no_material || scene::is_opaque(scene.materials[static_cast<std::size_t>(material)]);
 }
 
 class Watch {

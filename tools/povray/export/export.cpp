@@ -1,5 +1,6 @@
 #include "tools/povray/export/export.hpp"
 
+#include "renderer/scene/names.hpp"
 #include "renderer/scene/validate.hpp"
 #include "tools/povray/export/export_parts.hpp"
 
@@ -97,7 +98,7 @@ private:
       // pixels before it.
       if (!scene_.lights.empty()) out.open("light_group");
       for (const Light& light : scene_.lights) {
-        comment_origin(out, noun(light), light.name, light.origin);
+        comment_origin(out, noun(light.source), light.name, light.origin);
         if (const SpotLight* spot = std::get_if<SpotLight>(&light.source); spot && !spot->shadows)
           inexact_.push_back({"POV-Ray has no spotlight without shadows: `shadowless` makes it shine in all directions",
                               light.origin});
@@ -150,7 +151,7 @@ private:
   }
 
   void object(Writer& out, const Object& o, const Around& around) {
-    comment_origin(out, noun(o.shape), o.name, o.origin);
+    comment_origin(out, noun(scene_.shapes, o.shape), o.name, o.origin);
     Around inside = around;
     const Placement placement = placement_of(scene_, o);
     const std::optional<Triangle> kept = moved_to_be_kept(scene_, o);
@@ -250,7 +251,7 @@ private:
 
   bool is_medium(const Object& o, MaterialId inherited) const {
     return o.shape.kind != kind_of<Disc> &&
-           leftmost(o, inherited, [](const Material& m) { return m.refract > 0; }) != nullptr;
+           leftmost(o, inherited, [](const Material& m) { return !is_opaque(m); }) != nullptr;
   }
 
   // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
@@ -350,14 +351,6 @@ private:
     const bool is_group = o.shape.kind == kind_of<Group>;
     if (++(is_group ? group_uses_ : combination_uses_)[o.shape.index] > 1) return;
     for (const Object& member : parts(scene_.shapes, o.shape)) count_uses(member);
-  }
-
-  std::string_view noun(ShapeRef shape) const {
-    return scene_.shapes.visit(shape, [](const auto& s) { return std::remove_cvref_t<decltype(s)>::noun; });
-  }
-  static std::string_view noun(const Light& light) {
-    constexpr std::string_view nouns[] = {"light", "sun", "spot"};
-    return nouns[light.source.index()];
   }
 
   void comment(Writer& out, const std::string& text) const {

@@ -15,6 +15,15 @@ double square(const Vec3& v) {
   return dot(v, v);
 }
 
+// Between two discs, with a radius that goes evenly from one to the other.
+bool is_between(const Vec3& from, const Vec3& to, double first, double last, const Vec3& p) {
+  const double share = dot(p - from, to - from) / square(to - from);
+  const double radius = first + share * (last - first);
+  return share > 0 && share < 1 && square(p - (from + (to - from) * share)) < radius * radius;
+}
+
+} // namespace
+
 bool holds(const Sphere& s, const Vec3& p) {
   return square(p) < s.radius * s.radius;
 }
@@ -33,22 +42,15 @@ bool holds(const Box& b, const Vec3& p) {
   return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
 }
 
-// Between two discs, with a radius that goes evenly from one to the other.
-bool holds(const Vec3& from, const Vec3& to, double first, double last, const Vec3& p) {
-  const double share = dot(p - from, to - from) / square(to - from);
-  const double radius = first + share * (last - first);
-  return share > 0 && share < 1 && square(p - (from + (to - from) * share)) < radius * radius;
-}
-
 bool holds(const Cylinder& c, const Vec3& p) {
   const Vec3 axis = c.from && c.to ? *c.to - *c.from : unit(c.axis.value_or(Vec3{0, 1, 0})) * c.height.value_or(1);
   const Vec3 from = c.from ? *c.from : axis * -0.5;
-  if (!c.infinite) return holds(from, from + axis, c.radius, c.radius, p);
+  if (!c.infinite) return is_between(from, from + axis, c.radius, c.radius, p);
   return square(cross(p - from, unit(axis))) < c.radius * c.radius;
 }
 
 bool holds(const Cone& c, const Vec3& p) {
-  return holds(c.from, c.to, c.radius, c.top_radius, p);
+  return is_between(c.from, c.to, c.radius, c.top_radius, p);
 }
 
 // POV-Ray's disc has everything below it for its inside.
@@ -56,12 +58,15 @@ bool holds(const Disc& d, const Vec3& p) {
   return dot(d.normal, p) < 0;
 }
 
-template <class Flat>
-bool holds(const Flat&, const Vec3&) {
+bool holds(const Triangle&, const Vec3&) {
   return false;
 }
-
-} // namespace
+bool holds(const Quad&, const Vec3&) {
+  return false;
+}
+bool holds(const Polygon&, const Vec3&) {
+  return false;
+}
 
 bool holds_in_povray(const Scene& scene, const Object& object, const Map& placement, const Vec3& point) {
   if (!object.is_visible) return false;
@@ -86,7 +91,12 @@ bool holds_in_povray(const Scene& scene, const Object& object, const Map& placem
       return part(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), part);
     }
   }
-  return scene.shapes.visit(object.shape, [&](const auto& shape) { return holds(shape, p); });
+  return scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
+    if constexpr (std::is_same_v<S, Group> || std::is_same_v<S, Combination>)
+      return false; // not reached
+    else
+      return holds(shape, p);
+  });
 }
 
 Placement placement_of(const Scene& scene, const Object& o) {

@@ -14,6 +14,20 @@ std::string amount(const Color& c) {
   return is_grey(c) ? number(c.r) : rgb(c);
 }
 
+// Of properties that are no patterns.
+double constant(const NumberPaint& paint) {
+  return std::get<double>(paint);
+}
+const Color& constant(const Paint& paint) {
+  return std::get<Color>(paint);
+}
+
+// How POV-Ray calls a pattern that is a list of pigments or of textures, which its paints become in the order of its
+// fields.
+std::string_view keyword(const Checker&) {
+  return "checker";
+}
+
 // Writes one material. Its patterns all live in the material's space, but POV-Ray carries a pigment or texture inside a
 // pattern along with that pattern: `current` is the map from where the text stands to the material's space, and what
 // stands inside is moved back.
@@ -22,23 +36,25 @@ public:
   TextureWriter(Writer& out, const Scene& scene, std::vector<std::string>& inexact)
       : out_(out), scene_(scene), inexact_(inexact) {}
 
-  // A finish has numbers only: a pattern of numbers becomes a pattern of two textures.
-  void texture(const std::string& head, Material m, const Map& current) {
-    for (Paint Material::*part : {&Material::ambient, &Material::diffuse, &Material::emission}) {
-      const PatternId* id = std::get_if<PatternId>(&(m.*part));
-      if (!id) continue;
+  // A finish has numbers only, and the share that a pigment lets by is one of its pattern: any other property that is a
+  // pattern becomes a pattern of textures.
+  void texture(const std::string& head, const Material& m, const Map& current) {
+    for (const Field& field : fields(&m)) {
+      const std::optional<FieldValue> value = field.get(&m);
+      const PatternId* id = value ? std::get_if<PatternId>(&*value) : nullptr;
+      if (!id || field.name == "color") continue;
       const Pattern& p = pattern(*id);
       out_.open(head);
-      out_.line(keyword(p));
-      for (const Paint& paint : {p.a, p.b}) {
-        m.*part = paint;
-        texture("texture", m, map_of(p.placement));
-      }
+      for_each_paint(p, [&](const FieldValue& paint) {
+        Material part = m;
+        field.set(&part, paint);
+        texture("texture", part, map_of(p.placement));
+      });
       out_.close(moved(p, current));
       return;
     }
     out_.open(head);
-    pigment(m.color, m.refract, current);
+    std::visit([&](const auto& color) { pigment(color, constant(m.refract), current); }, m.color);
     out_.line(finish(m));
     out_.close();
   }
@@ -46,12 +62,16 @@ public:
 private:
   const Pattern& pattern(PatternId id) const { return scene_.patterns[static_cast<std::size_t>(id)]; }
 
-  static std::string keyword(const Pattern& p) {
-    switch (p.kind) {
-    case PatternKind::checker:
-      return "checker";
-    }
-    return {};
+  // Writes what kind of pattern it is, and then each of its paints by f.
+  template <class F>
+  void for_each_paint(const Pattern& p, F&& f) {
+    std::visit(
+        [&](const auto& layout) {
+          out_.line(keyword(layout));
+          for (const Field& field : fields(&layout))
+            if (const auto paint = field.is_textured ? field.get(&layout) : std::nullopt) f(*paint);
+        },
+        p.layout);
   }
 
   static std::string moved(const Pattern& p, const Map& current) {
@@ -62,36 +82,37 @@ private:
     return text.empty() ? text : text.substr(1);
   }
 
-  void pigment(const Paint& paint, double filter, const Map& current) {
-    if (const Color* color = std::get_if<Color>(&paint)) {
-      out_.line(fmt::format("pigment {{ {} }}", rgb(*color, filter)));
+  void pigment(const FieldValue& paint, double filter, const Map& current) {
+    const PatternId* id = std::get_if<PatternId>(&paint);
+    if (!id) {
+      out_.line(fmt::format("pigment {{ {} }}", rgb(std::get<Color>(paint), filter)));
       return;
     }
-    const Pattern& p = pattern(std::get<PatternId>(paint));
+    const Pattern& p = pattern(*id);
     out_.open("pigment");
-    out_.line(keyword(p));
-    for (const Paint& part : {p.a, p.b}) pigment(part, filter, map_of(p.placement));
+    for_each_paint(p, [&](const FieldValue& part) { pigment(part, filter, map_of(p.placement)); });
     out_.close(moved(p, current));
   }
 
   std::string finish(const Material& m) {
-    const Color diffuse = std::get<Color>(m.diffuse);
+    const Color diffuse = constant(m.diffuse);
     if (!is_grey(diffuse)) inexact_.push_back("POV-Ray's `diffuse` is a number: a colour cannot be written there");
-    std::string text = fmt::format("finish {{ ambient {} diffuse {} emission {}", amount(std::get<Color>(m.ambient)),
-                                   number(diffuse.r), amount(std::get<Color>(m.emission)));
-    if (m.specular != 0)
+    std::string text = fmt::format("finish {{ ambient {} diffuse {} emission {}", amount(constant(m.ambient)),
+                                   number(diffuse.r), amount(constant(m.emission)));
+    if (const double specular = constant(m.specular), shininess = constant(m.shininess); specular != 0)
       text += m.highlight == Highlight::blinn
-                  ? fmt::format(" specular {} roughness {}", number(m.specular), number(1 / m.shininess))
-                  : fmt::format(" phong {} phong_size {}", number(m.specular), number(m.shininess));
-    if (m.metallic != 0) text += " metallic " + number(m.metallic);
-    if (m.reflect != black) text += reflection(m);
+                  ? fmt::format(" specular {} roughness {}", number(specular), number(1 / shininess))
+                  : fmt::format(" phong {} phong_size {}", number(specular), number(shininess));
+    if (const double metallic = constant(m.metallic); metallic != 0) text += " metallic " + number(metallic);
+    if (constant(m.reflect) != black) text += reflection(m);
     return text + " }";
   }
 
   static std::string reflection(const Material& m) {
-    std::string text = m.fresnel ? fmt::format(" reflection {{ rgb 0, {} fresnel on", rgb(m.reflect))
-                                 : fmt::format(" reflection {{ {}", rgb(m.reflect));
-    if (m.metallic != 0) text += " metallic " + number(m.metallic);
+    const Color reflect = constant(m.reflect);
+    std::string text = m.fresnel ? fmt::format(" reflection {{ rgb 0, {} fresnel on", rgb(reflect))
+                                 : fmt::format(" reflection {{ {}", rgb(reflect));
+    if (const double metallic = constant(m.metallic); metallic != 0) text += " metallic " + number(metallic);
     return text + (m.fresnel ? " } conserve_energy" : " }");
   }
 
@@ -108,7 +129,7 @@ void write_texture(Writer& out, const std::string& head, const Scene& scene, con
 }
 
 bool needs_interior(const Material& material) {
-  return material.refract > 0 || material.fresnel;
+  return !is_opaque(material) || material.fresnel;
 }
 
 std::string interior(const Material& material) {

@@ -43,6 +43,16 @@ void write_texture(Writer& out, const std::string& head, const scene::Scene& sce
 bool needs_interior(const scene::Material& material);
 std::string interior(const scene::Material& material);
 
+/// Whether POV-Ray takes the point, of the shape's own space, for inside. Every shape that is no composite says so.
+bool holds(const scene::Sphere& sphere, const Vec3& point);
+bool holds(const scene::Plane& plane, const Vec3& point);
+bool holds(const scene::Box& box, const Vec3& point);
+bool holds(const scene::Cylinder& cylinder, const Vec3& point);
+bool holds(const scene::Cone& cone, const Vec3& point);
+bool holds(const scene::Disc& disc, const Vec3& point);
+bool holds(const scene::Triangle& triangle, const Vec3& point);
+bool holds(const scene::Quad& quad, const Vec3& point);
+bool holds(const scene::Polygon& polygon, const Vec3& point);
 /// Whether POV-Ray takes the point, of the space that `placement` leads to, for inside the object.
 bool holds_in_povray(const scene::Scene& scene, const scene::Object& object, const Map& placement, const Vec3& point);
 /// The object's placement in its parent, whole.

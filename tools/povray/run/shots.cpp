@@ -1,5 +1,7 @@
 #include "tools/povray/run/shots.hpp"
 
+#include "renderer/scene/names.hpp"
+
 #include <cassert>
 
 namespace rt::tools::povray {
@@ -40,13 +42,10 @@ private:
       if (o.shape.kind == kind_of<Group>)
         walk(scene_.shapes.get<Group>(o.shape).members, name);
       else
-        names_.push_back({name == no_name ? noun(o.shape) : scene_.names[static_cast<std::size_t>(name)], o.origin});
+        names_.push_back(
+            {name == no_name ? std::string(noun(scene_.shapes, o.shape)) : scene_.names[static_cast<std::size_t>(name)],
+             o.origin});
     }
-  }
-
-  std::string noun(ShapeRef shape) const {
-    return scene_.shapes.visit(shape,
-                               [](const auto& s) { return std::string(std::remove_cvref_t<decltype(s)>::noun); });
   }
 
   const Scene& scene_;

@@ -102,7 +102,7 @@ TEST_CASE("export: every term of a material") {
                              .diffuse = grey(0.6),
                              .emission = grey(0.7),
                              .specular = 0.4,
-                             .shininess = 50,
+                             .shininess = 50.0,
                              .highlight = scene::Highlight::blinn,
                              .metallic = 0.8,
                              .reflect = Color{0.9, 0.8, 0.7},
@@ -123,8 +123,8 @@ TEST_CASE("export: every term of a material") {
 
 TEST_CASE("export: a pattern of numbers becomes a pattern of textures, and what stands inside is moved back") {
   WrittenScene b;
-  const auto dots = b.pattern({scene::PatternKind::checker, grey(1), grey(0), {{2, 2, 2}, {}, {}, {}}});
-  const auto cells = b.pattern({scene::PatternKind::checker, white, black, {{4, 4, 4}, {}, {}, {}}});
+  const auto dots = b.pattern({scene::Checker{grey(1), grey(0)}, {{2, 2, 2}, {}, {}, {}}});
+  const auto cells = b.pattern({scene::Checker{white, black}, {{4, 4, 4}, {}, {}, {}}});
   scene::Material m;
   m.color = cells;
   m.emission = dots;
@@ -197,6 +197,20 @@ TEST_CASE("export: comments name what stands there and where it was written; wit
     if (line.substr(line.find_first_not_of(' ')).rfind("//", 0) != 0) bare += line;
   }
   CHECK(bare == exported(b));
+}
+
+TEST_CASE("export: a finish or a transparency that is a pattern is a pattern of textures") {
+  WrittenScene b;
+  scene::Material m;
+  m.refract = b.pattern({scene::Checker{grey(0.5), black}, {}});
+  m.reflect = b.pattern({scene::Checker{Color{0.1, 0.2, 0.3}, black}, {{2, 2, 2}, {}, {}, {}}});
+  m.ior = 1.5;
+  b.place(scene::Sphere{1}, b.material(m));
+  const std::string text = exported(b);
+  CHECK(count(text, "checker") == 3); // one of the reflections, and in each of its textures one of the transparencies
+  CHECK(count(text, "rgbf <1, 1, 1, 0.5>") == 2);
+  CHECK(count(text, "reflection { rgb <0.1, 0.2, 0.3> }") == 2);
+  CHECK_THAT(text, Contains("interior { ior 1.5 }"));
 }
 
 TEST_CASE("export: what POV-Ray cannot do is named with its place") {

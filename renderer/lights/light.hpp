@@ -1,0 +1,38 @@
+#pragma once
+
+#include "renderer/fields/field.hpp"
+
+namespace rt::scene {
+
+/// What all lights share.
+struct LightCommon {
+  Color color = white;
+  double intensity = 1;
+  bool shadows = true; ///< false: nothing blocks it, and it gives diffuse light only
+};
+
+} // namespace rt::scene
+
+namespace rt {
+
+/// A light as one point of the scene sees it, before shadows.
+struct LightSample {
+  Vec3 to_light;   ///< unit
+  double distance; ///< to the light; infinite for a sun
+  double fade = 1; ///< the weakening with distance
+  double spot = 1; ///< 0 outside a spot's cone, 1 in its full light and for all other lights
+  Color color{};   ///< of the light that arrives if nothing is in the way: color · intensity · fade · spot
+};
+
+/// What is left of light at a distance.
+double fade_at(const scene::Fade& fade, double distance);
+
+/// Of a light that stands at `at`, seen from `p`. Where both are the same point, `distance` is 0 and the rest
+/// meaningless.
+inline LightSample sample_from(const Vec3& at, const scene::Fade& fade, const Vec3& p) {
+  const Vec3 way = at - p;
+  const double distance = length(way);
+  return {way / distance, distance, fade.law == scene::Fade::Law::none ? 1 : fade_at(fade, distance)};
+}
+
+} // namespace rt

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "renderer/scene/light.hpp"
+#include "renderer/scene/pattern.hpp"
+#include "renderer/scene/shapes.hpp"
+
+#include <string_view>
+
+/// What the language calls the kinds of things, where one is known at run time only.
+namespace rt::scene {
+
+/// Of a combination "combination"; `noun(Combination::Operation)` says which.
+std::string_view noun(const Shapes& shapes, ShapeRef shape);
+/// "union", "intersection" or "difference".
+std::string_view noun(Combination::Operation operation);
+std::string_view noun(const LightSource& light);
+std::string_view noun(const PatternLayout& pattern);
+std::string_view noun(const Step& step);
+std::string_view name(Fade::Law law);
+
+} // namespace rt::scene

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "renderer/fields/type_list.hpp"
+#include "renderer/patterns/checker.hpp"
+#include "renderer/scene/transform.hpp"
+
+namespace rt::scene {
+
+/// All patterns. A new pattern is added here, and its header above.
+using PatternKinds = TypeList<Checker>;
+using PatternLayout = PatternKinds::Variant;
+
+/// Paints laid out over space. They live in the space of the object that writes `material:`, before that object's own
+/// transform; `placement` moves them there.
+struct Pattern {
+  PatternLayout layout;
+  Placement placement;
+};
+
+} // namespace rt::scene

@@ -103,11 +103,6 @@ class Renderer {
 public:
   Renderer(const SourceMap& sources, bool use_color) : sources_(sources), use_color_(use_color) {}
 
-  Diagnostic make_error(std::string_view code, Span place, std::string message, std::string label,
-                        std::vector<Note> notes) {
-    return {Severity::error, std::string(code), std::move(message), place, std::move(label), std::move(notes), {}};
-  }
-
   std::string render(const Diagnostic& diagnostic) {
     gutter_ = gutter(diagnostic);
     const std::string_view color = color_of(diagnostic.severity);
@@ -227,6 +222,11 @@ private:
 };
 
 } // namespace
+
+Diagnostic make_error(std::string_view code, Span place, std::string message, std::string label,
+                      std::vector<Note> notes) {
+  return {Severity::error, std::string(code), std::move(message), place, std::move(label), std::move(notes), {}};
+}
 
 std::string_view spelling(Severity severity) {
   switch (severity) {

@@ -1,5 +1,6 @@
 #include "lang/evaluate/argument_list.hpp"
 
+#include "lang/evaluate/expression_evaluator.hpp"
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
@@ -57,8 +58,9 @@ std::string with_articles(std::string_view types) {
 
 } // namespace
 
-ArgumentList::ArgumentList(Evaluator& evaluator, std::string_view name, const Signature& signature, Span place)
-    : evaluator_(evaluator), name_(name), signature_(signature), place_(place) {
+ArgumentList::ArgumentList(Evaluation& evaluation, CallEvaluator& calls, ThingSource& things, std::string_view name,
+                           const Signature& signature, Span place)
+    : evaluation_(evaluation), calls_(calls), things_(things), name_(name), signature_(signature), place_(place) {
   arguments.resize(signature.size() - (signature.has_rest() ? 1 : 0), Value::unset());
   places_.resize(arguments.size());
 }
@@ -73,28 +75,28 @@ bool ArgumentList::put(std::size_t i, Value value, Span place) {
   return !arguments[i].is_poison();
 }
 
-bool ArgumentList::read(NodeId node, const Context& context) {
+bool ArgumentList::read(NodeId node, const Context& context, ExpressionEvaluator& expressions) {
   const Ast& ast = context.ast();
   bool is_fine = true;
   std::size_t position = 0;
   for (const NodeId argument : ast.call(node).arguments) {
     const bool is_named = ast.kind(argument) == Kind::argument;
     const NodeId value_node = is_named ? ast.named(argument).value : argument;
-    Value value = evaluator_.expression(value_node, context);
+    Value value = expressions.evaluate(value_node, context);
     std::size_t i = position;
     if (is_named) {
-      const std::string_view word = evaluator_.name(ast.named(argument).symbol);
+      const std::string_view word = evaluation_.errors.name(ast.named(argument).symbol);
       i = static_cast<std::size_t>(std::ranges::find(signature_, word, &SignatureParameter::name) - signature_.begin());
       if (i == signature_.size()) {
-        evaluator_.fail("E0208", ast.named_span(argument, evaluator_.program_.symbols),
-                        fmt::format("`{}` has no parameter `{}`", name_, word));
+        evaluation_.errors.fail("E0208", ast.named_span(argument, evaluation_.program.symbols),
+                                fmt::format("`{}` has no parameter `{}`", name_, word));
         is_fine = false;
         continue;
       }
     } else if (++position > signature_.size() && !signature_.has_rest()) {
-      evaluator_.fail("E0208", ast.span(argument),
-                      fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
-                      "one too many");
+      evaluation_.errors.fail("E0208", ast.span(argument),
+                              fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
+                              "one too many");
       return false;
     }
     is_fine &= put(i, std::move(value), ast.span(value_node));
@@ -104,9 +106,9 @@ bool ArgumentList::read(NodeId node, const Context& context) {
 
 bool ArgumentList::take(std::vector<Value> values) {
   if (values.size() > signature_.size() && !signature_.has_rest()) {
-    evaluator_.fail("E0208", place_,
-                    fmt::format("`{}` is called with {}, and takes at most {}", name_,
-                                count_of_arguments(values.size()), signature_.size()));
+    evaluation_.errors.fail("E0208", place_,
+                            fmt::format("`{}` is called with {}, and takes at most {}", name_,
+                                        count_of_arguments(values.size()), signature_.size()));
     return false;
   }
   bool is_fine = true;
@@ -117,7 +119,7 @@ bool ArgumentList::take(std::vector<Value> values) {
 bool ArgumentList::are_complete() {
   for (std::size_t i = 0; i < signature_.size(); ++i) {
     if (has(i) || signature_[i].is_optional) continue;
-    evaluator_.fail("E0208", place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name));
+    evaluation_.errors.fail("E0208", place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name));
     return false;
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -129,70 +131,40 @@ bool ArgumentList::are_complete() {
 bool ArgumentList::check_type(std::size_t i) {
   const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
   if (is_of(arguments[i], parameter)) return true;
-  evaluator_.fail("E0309", place_of(i),
-                  fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
-                              parameter.name, describe(arguments[i])),
-                  "this is " + describe(arguments[i]));
+  evaluation_.errors.fail("E0309", place_of(i),
+                          fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
+                                      parameter.name, describe(arguments[i])),
+                          "this is " + describe(arguments[i]));
   return false;
 }
 
 Heap& ArgumentList::heap() {
-  return evaluator_.heap_;
+  return evaluation_.heap;
 }
 const SymbolTable& ArgumentList::symbols() {
-  return evaluator_.program_.symbols;
+  return evaluation_.program.symbols;
 }
 
 Value ArgumentList::call(const Value& function, std::vector<Value> function_arguments) {
-  return evaluator_.call_function(function, std::move(function_arguments), place_);
+  return calls_.call_function(function, std::move(function_arguments), place_);
 }
 
 Value ArgumentList::fail(std::size_t argument, const std::string& message, const std::string& label) {
-  return evaluator_.fail("E0310", place_of(argument), message, label);
+  return evaluation_.errors.fail("E0310", place_of(argument), message, label);
 }
 
 void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {
-  evaluator_.spend(steps, place_);
-  if (bytes > 0) evaluator_.reserve(bytes, place_);
+  evaluation_.limits.spend(steps, place_);
+  if (bytes > 0) evaluation_.limits.reserve(bytes, place_);
 }
 
 const Observer* ArgumentList::observer(std::optional<std::size_t> alone) {
-  if (!alone || !has(*alone)) return evaluator_.observer();
-  return evaluator_.observer_of(arguments[*alone], place_of(*alone));
+  if (!alone || !has(*alone)) return things_.observer();
+  return things_.observer_of(arguments[*alone], place_of(*alone));
 }
 
 const scene::Scene& ArgumentList::scene() {
-  return evaluator_.scene_;
-}
-
-Value Evaluator::call_builtin(const Builtin& builtin, NodeId node, const Context& context) {
-  ArgumentList arguments(*this, builtin.name, builtin.signature, context.ast().span(node));
-  return arguments.read(node, context) ? builtin.function(arguments) : Value::poison();
-}
-
-Value Evaluator::call_builtin_with(const Builtin& builtin, std::vector<Value> values, Span place) {
-  ArgumentList arguments(*this, builtin.name, builtin.signature, place);
-  return arguments.take(std::move(values)) ? builtin.function(arguments) : Value::poison();
-}
-
-Value Evaluator::call_chain(const Value& base, const ChainMethod& method, NodeId node, const Context& context) {
-  const Span place = context.ast().span(node);
-  ArgumentList arguments(*this, method.name, method.signature, place);
-  if (!arguments.read(node, context)) return Value::poison();
-  const Thing& thing = base.thing();
-  if (!thing.type->has_chain())
-    return fail("E0409", place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
-                thing.type->category == Category::camera ? "a camera stands where `at` and `look_at` say" : "");
-  std::optional<scene::Step> step = method.function(arguments);
-  if (!step) return Value::poison();
-  Ref<Thing> copy = copy_of(thing);
-  Ref<Chain> chain(heap_.make<Chain>(0));
-  chain->steps.reserve((thing.chain ? thing.chain->steps.size() : 0) + 1);
-  if (thing.chain) chain->steps = thing.chain->steps;
-  spend(chain->steps.size(), place);
-  chain->steps.push_back(*std::move(step));
-  copy->chain = std::move(chain);
-  return copy;
+  return evaluation_.builder.scene;
 }
 
 } // namespace rt::lang

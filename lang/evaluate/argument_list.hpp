@@ -1,16 +1,22 @@
 #pragma once
 
-#include "lang/evaluate/evaluator.hpp"
+#include "lang/builtins/builtins.hpp"
+#include "lang/evaluate/evaluation.hpp"
 
 namespace rt::lang {
+
+class CallEvaluator;
+class ExpressionEvaluator;
+class ThingSource;
 
 /// The arguments of a call of a built-in function or chain method, in the order of its parameters.
 class ArgumentList final : public BuiltinCall {
 public:
-  ArgumentList(Evaluator& evaluator, std::string_view name, const Signature& signature, Span place);
+  ArgumentList(Evaluation& evaluation, CallEvaluator& calls, ThingSource& things, std::string_view name,
+               const Signature& signature, Span place);
 
   /// Evaluates the arguments of a call node and checks them; false after a mistake, or where one is poison.
-  bool read(NodeId node, const Context& context);
+  bool read(NodeId node, const Context& context, ExpressionEvaluator& expressions);
   /// The same for values that are there already.
   bool take(std::vector<Value> values);
 
@@ -28,7 +34,9 @@ private:
   bool check_type(std::size_t i);
   Span place_of(std::size_t i) const { return i < places_.size() && places_[i].end > 0 ? places_[i] : place_; }
 
-  Evaluator& evaluator_;
+  Evaluation& evaluation_;
+  CallEvaluator& calls_;
+  ThingSource& things_;
   std::string_view name_;
   const Signature& signature_;
   Span place_;

@@ -2,12 +2,13 @@
 
 #include "lang/evaluate/deep_stack.hpp"
 #include "lang/evaluate/evaluator.hpp"
-#include "lang/evaluate/evaluator_loops.hpp"
 #include "lang/values/css_colors.hpp"
 #include "renderer/scene/compact.hpp"
 #include "renderer/scene/defaults.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace rt::lang {
 
@@ -22,102 +23,54 @@ Evaluated evaluate(Program& program, Report& report, const Limits& limits, const
 
 Evaluator::Evaluator(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
                      const char* stack_limit)
-    : program_(program), report_(report), limits_(limits), stop_(stop), writer_(program.sources, builder_),
-      stack_limit_(stack_limit) {
+    : evaluation_(program, report, limits, stop, stack_limit), program_(program), report_(report),
+      scene_(evaluation_.builder.scene), writer_(evaluation_), expressions_(evaluation_, *this),
+      blocks_(evaluation_, expressions_, things_, expectation_list_),
+      things_(evaluation_, expressions_, blocks_, writer_), expectations_(evaluation_, expressions_, blocks_, writer_) {
   scene_properties_.type = &program.types.scene();
 }
 
-// What frames hold may refer to them in turn, through functions and the things of defs.
-Evaluator::~Evaluator() {
-  instances_.clear();
-  for (const Ref<Frame>& frame : suspects_) frame->clear();
-}
-
 Evaluated Evaluator::run(const ObserverMaker* observe) {
-  make_observer_ = observe;
+  Expectations outcome;
+  if (observe) {
+    expectation_list_.want();
+    expectations_.use(*observe);
+  }
   try {
     run_program();
     if (!report_.has_errors()) finish_scene();
-    if (!report_.has_errors()) run_expectations();
+    if (!report_.has_errors()) outcome = expectations_.run(expectation_list_.all());
     try_unused_functions();
-  } catch (const Ended&) {
+  } catch (const LimitGuard::Ended&) {
     // A limit was passed, or the evaluation was stopped from outside; either is reported.
   }
-  observer_.reset();
-  alone_ = {};
   expectations_.clear();
-  loops_.clear();
-  return {std::move(scene_), steps_, std::move(outcome_)};
+  expectation_list_.clear();
+  return {std::move(scene_), evaluation_.limits.steps(), std::move(outcome)};
 }
-
-namespace {
-
-/// Where the value of an item that binds a name is kept.
-std::optional<std::uint32_t> bound_slot(const Ast& ast, NodeId item) {
-  switch (ast.kind(item)) {
-  case Kind::bind:
-    return ast.slot(ast.bind_item(item).name);
-  case Kind::use:
-    return ast.slot(ast.use_item(item).name);
-  case Kind::param:
-    return ast.slot(ast.param_item(item).name);
-  default:
-    return std::nullopt;
-  }
-}
-
-} // namespace
 
 void Evaluator::run_program() {
-  library_ = make_frame(heap_, {}, program_.library_frame_size);
-  suspects_.push_back(library_);
+  library_ = evaluation_.frames.keep(make_frame(evaluation_.heap, {}, program_.library_frame_size));
   run_library();
-  main_ = make_frame(heap_, library_, program_.main_frame_size);
-  suspects_.push_back(main_);
+  main_ = evaluation_.frames.keep(make_frame(evaluation_.heap, library_, program_.main_frame_size));
   Target target;
   target.kind = Target::Kind::scene;
   target.objects = &scene_.objects;
   target.lights = &scene_.lights;
   target.properties = &scene_properties_;
-  file_items(program_.main->ast.root, {program_.main, main_.get()}, target);
-}
-
-/// Tells whether it came to its end. Inside a call it is the outermost call that is given up.
-template <class F>
-bool Evaluator::ends_in_time(F&& run) {
-  const bool is_in_call = calls_ != nullptr;
-  const int unsure = unsure_;
-  try {
-    run();
-    return true;
-  } catch (const TooDeep&) {
-    if (is_in_call) throw;
-    recursion_ = 0;
-    calls_ = nullptr;
-    unsure_ = unsure;
-    return false;
-  }
-}
-
-// An item that goes too deep leaves the others to be looked at, so that all mistakes of a file are told.
-void Evaluator::file_items(NodeId root, const Context& context, Target& target) {
-  const NodeList children = context.ast().children(root);
-  for (const NodeId child : children) {
-    if (ends_in_time([&] { item(child, context, target); })) continue;
-    if (const auto slot = bound_slot(context.ast(), child)) (*context.frame)[*slot] = Value::poison();
-  }
+  blocks_.file_items(program_.main->ast.root, {program_.main, main_.get()}, target);
 }
 
 void Evaluator::run_library() {
   const Context context{program_.library, library_.get()};
   const Ast& ast = context.ast();
   for (const NodeId item : ast.children(ast.root)) {
-    declaration(item, context);
+    expressions_.declare(item, context);
     if (ast.kind(item) != Kind::bind) continue;
     const NodeId bound = ast.bind_item(item).name;
     const Value& value = (*library_)[ast.slot(bound)];
     if (!value.is(ValueKind::thing)) continue;
-    if (const auto rgb = find_css_color(name(ast.symbol(bound)))) value.thing().css_color = *rgb;
+    if (const auto rgb = find_css_color(evaluation_.errors.name(ast.symbol(bound)))) value.thing().css_color = *rgb;
   }
 }
 
@@ -127,14 +80,13 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
   for (const auto& [known, value] : modules_) {
     if (known == info) return value;
   }
-  const Ref<Frame> frame = make_frame(heap_, library_, info->frame_size);
-  suspects_.push_back(frame);
+  const Ref<Frame> frame = evaluation_.frames.keep(make_frame(evaluation_.heap, library_, info->frame_size));
   PropertyBlock properties{&program_.types.scene(), nullptr, {}, {}, false};
   Target target;
   target.kind = Target::Kind::discarded;
   target.properties = &properties;
-  file_items(info->unit->ast.root, {info->unit, frame.get()}, target);
-  Value module = Ref<Module>(heap_.make<Module>(0, *info, frame));
+  blocks_.file_items(info->unit->ast.root, {info->unit, frame.get()}, target);
+  Value module = Ref<Module>(evaluation_.heap.make<Module>(0, *info, frame));
   modules_.emplace_back(info, module);
   return module;
 }
@@ -153,16 +105,18 @@ bool are_alike(const Value& a, const Value& b) {
 Value Evaluator::param_value(const Context& context, NodeId item) {
   const Ast& ast = context.ast();
   const ParamItem param = ast.param_item(item);
-  const Value otherwise = expression(param.value, context);
+  const Value otherwise = expressions_.evaluate(param.value, context);
   Value value = otherwise;
   Span place = ast.span(param.value);
   if (const Define* define = context.frame == main_.get() ? program_.find_define(ast.symbol(param.name)) : nullptr) {
     place = define->unit->ast.span(define->unit->ast.root);
-    const FrameScope frame(*this, make_frame(heap_, library_, define->frame_size));
-    value = expression(define->unit->ast.root, {define->unit, frame.get()});
+    const FrameScope frame(evaluation_.frames, make_frame(evaluation_.heap, library_, define->frame_size));
+    value = expressions_.evaluate(define->unit->ast.root, {define->unit, frame.get()});
     if (!value.is_poison() && !otherwise.is_poison() && !are_alike(otherwise, value))
-      return fail("E0605", place, fmt::format("`{}` is {} in the scene", name(define->name), describe(otherwise)),
-                  "this is " + describe(value));
+      return evaluation_.errors.fail(
+          "E0605", place,
+          fmt::format("`{}` is {} in the scene", evaluation_.errors.name(define->name), describe(otherwise)),
+          "this is " + describe(value));
     if (otherwise.is(ValueKind::color) && !value.is_poison()) value = *as_color(value); // a number is a grey
   }
   return param.range == no_node ? value : within_range(value, place, param, context);
@@ -170,18 +124,19 @@ Value Evaluator::param_value(const Context& context, NodeId item) {
 
 Value Evaluator::within_range(const Value& value, Span place, const ParamItem& param, const Context& context) {
   const Ast& ast = context.ast();
-  const Value range = expression(param.range, context);
+  const Value range = expressions_.evaluate(param.range, context);
   if (value.is_poison() || range.is_poison()) return value;
   if (!range.is(ValueKind::range))
-    return fail("E0304", ast.span(param.range), "the values that a `param` may have are a range",
-                "this is " + describe(range));
-  if (!value.is_number()) return fail("E0606", place, "only a number can lie in a range", "this is " + describe(value));
+    return evaluation_.errors.fail("E0304", ast.span(param.range), "the values that a `param` may have are a range",
+                                   "this is " + describe(range));
+  if (!value.is_number())
+    return evaluation_.errors.fail("E0606", place, "only a number can lie in a range", "this is " + describe(value));
   const RangeValue& r = range.range();
   const double low = std::min(r.from, r.to), high = std::max(r.from, r.to), x = value.number();
   const bool is_at_open_end = range.excludes_end() && x == r.to;
   if (x >= low && x <= high && !is_at_open_end) return value;
-  if (Diagnostic* d = error("E0606", place)) {
-    d->message = fmt::format("`{}` is outside of its range", name(ast.symbol(param.name)));
+  if (Diagnostic* d = evaluation_.errors.error("E0606", place)) {
+    d->message = fmt::format("`{}` is outside of its range", evaluation_.errors.name(ast.symbol(param.name)));
     d->label = fmt::format("it must be in {}", program_.sources.text(ast.span(param.range)));
     d->notes.push_back({ast.span(param.range), "the range is given here"});
   }
@@ -189,39 +144,40 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
 }
 
 void Evaluator::finish_scene() {
-  check_media(scene_.objects);
-  for (const PropertyValue& p : scene_properties_.values) {
-    const Property& property = scene_properties_.type->properties[p.id];
-    property.field->set(&scene_, writer_.field_value(property, p.value));
-  }
-  if (const auto problem = scene::check(scene_)) {
-    Span place;
-    for (const PropertyValue& p : scene_properties_.values) {
-      if (scene_properties_.type->properties[p.id].name == problem->field) place = p.span;
-    }
-    fail("E0407", place, problem->message, {}, problem->advice);
-    return;
-  }
-  if (has_leftovers_ && expectations_.empty()) compact(scene_); // expectations may ask about what stands nowhere
+  writer_.check_media(scene_.objects);
+  if (!set_scene_properties()) return;
+  // Expectations may ask about what stands nowhere.
+  if (evaluation_.has_leftovers && expectation_list_.all().empty()) compact(scene_);
   for (std::size_t i = 0; i < program_.sources.size(); ++i)
     scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   const auto note = [&](std::string_view code, std::string message) {
     if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0}))
       d->message = std::move(message);
   };
-  if (!camera_place_) note("N0001", assume_camera(scene_, finite_bounds(scene_)));
-  bool has_ambient = false;
-  for (const PropertyValue& p : scene_properties_.values)
-    has_ambient |= scene_properties_.type->properties[p.id].name == "ambient";
+  if (!writer_.camera_place()) note("N0001", assume_camera(scene_, finite_bounds(scene_)));
+  const bool has_ambient = std::ranges::any_of(scene_properties_.values, [&](const PropertyValue& p) {
+    return scene_properties_.type->properties[p.id].name == "ambient";
+  });
   if (scene_.lights.empty() && !has_ambient) note("N0002", assume_light(scene_));
+}
+
+bool Evaluator::set_scene_properties() {
+  const std::vector<Property>& properties = scene_properties_.type->properties;
+  for (const PropertyValue& p : scene_properties_.values) properties[p.id].field->set(&scene_, scene_value(p));
+  const auto problem = scene::check(scene_);
+  if (!problem) return true;
+  Span place;
+  for (const PropertyValue& p : scene_properties_.values)
+    if (properties[p.id].name == problem->field) place = p.span;
+  evaluation_.errors.fail("E0407", place, problem->message, {}, problem->advice);
+  return false;
 }
 
 // What no line calls is run once with values that are not known, so that mistakes in it are found now and not later.
 void Evaluator::try_unused_functions() {
-  ++unsure_;
+  const ErrorReporter::Unsure unsure(evaluation_.errors);
   for (std::size_t i = 0; i < program_.functions.size(); ++i)
-    ends_in_time([&] { try_function(program_.functions[i]); });
-  --unsure_;
+    blocks_.ends_in_time([&] { try_function(program_.functions[i]); });
 }
 
 void Evaluator::try_function(const FunctionInfo& function) {
@@ -232,26 +188,29 @@ void Evaluator::try_function(const FunctionInfo& function) {
     if (info == function.module) parent = value.module().frame;
   }
   if (!parent) return; // the line that would read its file was not reached
-  const FrameScope frame(*this, make_frame(heap_, parent, function.frame_size));
+  const FrameScope frame(evaluation_.frames, make_frame(evaluation_.heap, parent, function.frame_size));
   for (const FunctionInfo::Parameter& parameter : function.parameters) {
-    if (parameter.default_value != no_node) expression(parameter.default_value, {function.unit, frame.get()});
+    if (parameter.default_value != no_node)
+      expressions_.evaluate(parameter.default_value, {function.unit, frame.get()});
     (*frame.get())[parameter.slot] = Value::poison();
   }
-  const Context context{function.unit, frame.get()};
+  try_body(function, {function.unit, frame.get()});
+}
+
+void Evaluator::try_body(const FunctionInfo& function, const Context& context) {
   if (function.kind == Kind::fn) {
-    expression(function.body, context);
+    expressions_.evaluate(function.body, context);
     return;
   }
   PropertyBlock properties{&program_.types.group(), nullptr, {}, {}, false};
-  scene::Group nowhere;
-  std::vector<scene::Light> no_lights;
-  Target target;
-  target.kind = Target::Kind::content;
-  target.objects = &nowhere.members;
-  target.lights = &no_lights;
-  target.type = &program_.types.group();
+  Content nowhere;
+  Target target = target_for(nowhere, program_.types.group(), {});
   target.properties = &properties;
-  items(function.body, context, target);
+  blocks_.items(function.body, context, target);
+}
+
+Value Evaluator::declared_value(NodeId item, const Context& context) {
+  return context.ast().kind(item) == Kind::use ? module_value(context, item) : param_value(context, item);
 }
 
 } // namespace rt::lang

@@ -21,68 +21,66 @@ bool is_expression(Kind kind) {
 } // namespace
 
 void Evaluator::begin_session() {
-  library_ = make_frame(heap_, {}, program_.library_frame_size);
-  suspects_.push_back(library_);
+  library_ = evaluation_.frames.keep(make_frame(evaluation_.heap, {}, program_.library_frame_size));
   run_library();
-  main_ = make_frame(heap_, library_, 0);
-  suspects_.push_back(main_);
+  main_ = evaluation_.frames.keep(make_frame(evaluation_.heap, library_, 0));
 }
 
 // Slots are written once, so functions that were made in the frame before find in it all they may look for.
 void Evaluator::begin_input(std::uint32_t slots, const char* stack_limit) {
-  stack_limit_ = stack_limit;
-  steps_ = next_look_ = objects_ = 0;
+  evaluation_.limits.restart(stack_limit);
   if (slots <= main_->size) return;
-  const Ref<Frame> larger = make_frame(heap_, library_, std::max<std::uint32_t>(2 * slots, 256));
+  const Ref<Frame> larger = make_frame(evaluation_.heap, library_, std::max<std::uint32_t>(2 * slots, 256));
   std::copy_n(main_->slots(), main_->size, larger->slots());
-  main_ = larger;
-  suspects_.push_back(main_);
+  main_ = evaluation_.frames.keep(larger);
 }
 
 StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print) {
   StatementResult made;
   scene_properties_ = {&program_.types.scene(), nullptr, {}, {}, false};
-  camera_place_.reset();
-  recursion_ = unsure_ = 0;
-  calls_ = nullptr;
+  writer_.forget_camera();
   Target target;
   target.kind = Target::Kind::scene;
   target.objects = &made.objects;
   target.lights = &made.lights;
   target.properties = &scene_properties_;
-  const Context context{&unit, main_.get()};
   try {
-    for (const NodeId node : nodes) {
-      if (!may_print || !is_expression(unit.ast.kind(node))) {
-        item(node, context, target);
-        continue;
-      }
-      const Value value = expression(node, context);
-      if (is_placed(value))
-        put(value, unit.ast.span(node), target);
-      else
-        made.printed = value;
-    }
-    check_media(made.objects);
-  } catch (const Ended&) {
+    run_nodes(unit, nodes, may_print, target, made);
+    writer_.check_media(made.objects);
+  } catch (const LimitGuard::Ended&) {
     // A limit was passed, or the evaluation was stopped; either is reported.
   }
   made.properties = std::move(scene_properties_.values);
-  if (camera_place_) {
+  if (writer_.camera_place()) {
     made.camera = scene_.camera;
-    made.camera_place = *camera_place_;
+    made.camera_place = *writer_.camera_place();
   }
   return made;
 }
 
+void Evaluator::run_nodes(Unit& unit, std::span<const NodeId> nodes, bool may_print, Target& target,
+                          StatementResult& made) {
+  const Context context{&unit, main_.get()};
+  for (const NodeId node : nodes) {
+    if (!may_print || !is_expression(unit.ast.kind(node))) {
+      blocks_.item(node, context, target);
+      continue;
+    }
+    const Value value = expressions_.evaluate(node, context);
+    if (is_placed(value))
+      blocks_.put(value, unit.ast.span(node), target);
+    else
+      made.printed = value;
+  }
+}
+
 void Evaluator::try_session_functions() {
-  ++unsure_;
+  const ErrorReporter::Unsure unsure(evaluation_.errors);
   try {
     while (tried_functions_ < program_.functions.size()) try_function(program_.functions[tried_functions_++]);
-  } catch (const Ended&) {
+  } catch (const LimitGuard::Ended&) {
     // Reported.
   }
-  --unsure_;
 }
 
 } // namespace rt::lang

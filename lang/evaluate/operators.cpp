@@ -1,4 +1,5 @@
-#include "lang/evaluate/evaluator.hpp"
+#include "lang/evaluate/operators.hpp"
+
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,21 @@
 namespace rt::lang {
 namespace {
 
-double compute(Op op, double a, double b) {
+Vec3 each(Op op, const Vec3& a, const Vec3& b) {
+  return {Operators::compute(op, a.x, b.x), Operators::compute(op, a.y, b.y), Operators::compute(op, a.z, b.z)};
+}
+
+Value like(const Value& vector, const Vec3& v) {
+  return vector.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
+}
+
+} // namespace
+
+bool is_solid_operator(Op op) {
+  return op == Op::unite || op == Op::intersect || op == Op::subtract;
+}
+
+double Operators::compute(Op op, double a, double b) {
   switch (op) {
   case Op::add:
     return a + b;
@@ -27,64 +42,13 @@ double compute(Op op, double a, double b) {
   }
 }
 
-Vec3 each(Op op, const Vec3& a, const Vec3& b) {
-  return {compute(op, a.x, b.x), compute(op, a.y, b.y), compute(op, a.z, b.z)};
-}
-
-Value like(const Value& vector, const Vec3& v) {
-  return vector.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
-}
-
-bool is_thing_or_list(const Value& value) {
-  return value.is(ValueKind::thing) || value.is(ValueKind::list);
-}
-
-bool is_solid_operator(Op op) {
-  return op == Op::unite || op == Op::intersect || op == Op::subtract;
-}
-
-} // namespace
-
-Value Evaluator::unary_value(NodeId node, const Context& context) {
-  const Ast& ast = context.ast();
-  const NodeId operand = ast.operand(node);
-  if (ast.op(node) == Op::not_) {
-    bool is_poison = false;
-    const bool truth = is_true(operand, context, is_poison);
-    return is_poison ? Value::poison() : Value::boolean(!truth);
-  }
-  const Value value = expression(operand, context);
+Value Operators::negative(const Value& value, Span place) {
   if (value.is_number()) return -value.number();
   if (value.is(ValueKind::vector)) return like(value, -value.vector());
-  if (value.is_poison()) return value;
-  return fail("E0304", ast.span(node), fmt::format("`-` cannot be applied to {}", describe(value)));
+  return fail("E0304", place, fmt::format("`-` cannot be applied to {}", describe(value)));
 }
 
-Value Evaluator::logic_value(NodeId node, const Context& context) {
-  const Ast& ast = context.ast();
-  bool is_poison = false;
-  const bool left = is_true(ast.left(node), context, is_poison);
-  if (is_poison) {
-    ++unsure_;
-    expression(ast.right(node), context);
-    --unsure_;
-    return Value::poison();
-  }
-  const bool decides = ast.op(node) == Op::or_;
-  if (left == decides) return Value::boolean(decides);
-  const bool right = is_true(ast.right(node), context, is_poison);
-  return is_poison ? Value::poison() : Value::boolean(right);
-}
-
-Value Evaluator::binary_value(NodeId node, const Context& context) {
-  const Ast& ast = context.ast();
-  const Op op = ast.op(node);
-  if (op == Op::and_ || op == Op::or_) return logic_value(node, context);
-  Value left = expression(ast.left(node), context);
-  Value right = expression(ast.right(node), context);
-  if (left.is_number() && right.is_number() && op >= Op::add && op != Op::unite && op != Op::intersect)
-    return compute(op, left.number(), right.number());
-  if (left.is_poison() || right.is_poison()) return Value::poison();
+Value Operators::binary(Op op, const Value& left, const Value& right, Span place) {
   switch (op) {
   case Op::equal:
     return Value::boolean(equal(left, right));
@@ -94,17 +58,13 @@ Value Evaluator::binary_value(NodeId node, const Context& context) {
   case Op::less_equal:
   case Op::greater:
   case Op::greater_equal:
-    return comparison(op, left, right, ast.span(node));
+    return comparison(op, left, right, place);
   default:
-    break;
+    return arithmetic(op, left, right, place);
   }
-  if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing) || op != Op::subtract) &&
-      is_thing_or_list(left) && is_thing_or_list(right))
-    return combine(op, std::move(left), std::move(right), node, context);
-  return arithmetic(op, left, right, ast.span(node));
 }
 
-Value Evaluator::comparison(Op op, const Value& left, const Value& right, Span place) {
+Value Operators::comparison(Op op, const Value& left, const Value& right, Span place) {
   const auto compare = [&](const auto& a, const auto& b) {
     return Value::boolean(op == Op::less ? a < b : op == Op::less_equal ? a <= b : op == Op::greater ? a > b : a >= b);
   };
@@ -114,10 +74,10 @@ Value Evaluator::comparison(Op op, const Value& left, const Value& right, Span p
               fmt::format("this is {} and {}", describe(left), describe(right)));
 }
 
-Value Evaluator::arithmetic(Op op, const Value& left, const Value& right, Span place) {
+Value Operators::arithmetic(Op op, const Value& left, const Value& right, Span place) {
   if (op == Op::unite || op == Op::intersect) return wrong_operands(op, left, right, place);
   if (op == Op::add && left.is(ValueKind::string) && right.is(ValueKind::string)) {
-    reserve(left.text().size() + right.text().size(), place);
+    limits_.reserve(left.text().size() + right.text().size(), place);
     return make_string(heap_, left.text() + right.text());
   }
   const bool has_vector = left.is(ValueKind::vector) || right.is(ValueKind::vector);
@@ -133,7 +93,7 @@ Value Evaluator::arithmetic(Op op, const Value& left, const Value& right, Span p
   return wrong_operands(op, left, right, place);
 }
 
-Value Evaluator::vector_arithmetic(Op op, const Value& left, const Value& right, Span place) {
+Value Operators::vector_arithmetic(Op op, const Value& left, const Value& right, Span place) {
   const bool both = left.is(ValueKind::vector) && right.is(ValueKind::vector);
   if (both) {
     if (left.vector_size() != right.vector_size())
@@ -149,7 +109,7 @@ Value Evaluator::vector_arithmetic(Op op, const Value& left, const Value& right,
   return like(vector, each(op, vector.vector(), {number, number, number}));
 }
 
-Value Evaluator::color_arithmetic(Op op, const Color& a, const Color& b, Span place) {
+Value Operators::color_arithmetic(Op op, const Color& a, const Color& b, Span place) {
   switch (op) {
   case Op::add:
     return a + b;
@@ -164,7 +124,7 @@ Value Evaluator::color_arithmetic(Op op, const Color& a, const Color& b, Span pl
   }
 }
 
-Value Evaluator::wrong_operands(Op op, const Value& left, const Value& right, Span place) {
+Value Operators::wrong_operands(Op op, const Value& left, const Value& right, Span place) {
   std::string advice;
   if (op == Op::add && (left.is(ValueKind::string) || right.is(ValueKind::string)))
     advice = "`str(x)` turns a value into text";

@@ -1,7 +1,5 @@
 #include "renderer/scene/transform.hpp"
 
-#include <cmath>
-
 namespace rt::scene {
 namespace {
 
@@ -50,8 +48,7 @@ Affine matrix(const Placement& placement) {
 }
 
 bool flattens(const Placement& placement) {
-  const double determinant = matrix(placement).determinant();
-  return determinant == 0 || !std::isfinite(determinant);
+  return !inverse(matrix(placement));
 }
 
 } // namespace rt::scene

@@ -67,8 +67,7 @@ struct Placement {
 /// The map of one step, and of a whole placement, from the thing's own space to its parent's.
 Affine matrix(const Step& step);
 Affine matrix(const Placement& placement);
-/// Whether the placement flattens or stretches without end: its determinant is 0 or not finite, so that nothing leads
-/// back.
+/// Whether the placement flattens or stretches without end, so that no map leads back.
 bool flattens(const Placement& placement);
 
 /// Index into `Scene::transforms`, `no_transform` where there is neither scale, rotation nor chain: almost every object

@@ -1,5 +1,7 @@
 #include "lang/check/errors/dialects.hpp"
 
+#include "lang/text/suggest.hpp"
+
 #include <fmt/format.h>
 
 namespace rt::lang {
@@ -199,6 +201,14 @@ std::string dialect_property(std::string_view property, const NodeType* type) {
   if (type->has_chain() && property == "move") return "write `at`, or `.move(…)` behind the thing";
   if (type->is_shape() && (property == "color1" || property == "color2")) return "colours belong to the material";
   return {};
+}
+
+void advise_on_property(Diagnostic& d, std::string_view whose, std::string_view property, const NodeType& type,
+                        std::span<const std::string_view> known) {
+  d.label = dialect_property(property, &type);
+  if (d.label.empty())
+    if (const auto guess = nearest(property, known)) d.label = fmt::format("did you mean `{}`?", *guess);
+  d.notes.push_back({std::nullopt, fmt::format("{} takes {}", whose, fmt::join(known, ", "))});
 }
 
 } // namespace rt::lang

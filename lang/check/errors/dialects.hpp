@@ -1,7 +1,9 @@
 #pragma once
 
+#include "lang/diagnostics/diagnostic.hpp"
 #include "lang/values/node_types.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,5 +12,9 @@ namespace rt::lang {
 /// What another language calls something, and what it is here; empty where the word is not known.
 std::string dialect_name(std::string_view name);
 std::string dialect_property(std::string_view property, const NodeType* type);
+
+/// What to write instead of a property that `whose` thing of this type does not have: filled in as label and note.
+void advise_on_property(Diagnostic& d, std::string_view whose, std::string_view property, const NodeType& type,
+                        std::span<const std::string_view> names);
 
 } // namespace rt::lang

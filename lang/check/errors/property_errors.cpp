@@ -51,18 +51,11 @@ void unknown_property(CheckContext& context, const Unit& unit, NodeId item, cons
   const bool is_scene = owner.type == &context.program.types.scene();
   const std::string whose =
       is_scene ? "the scene" : fmt::format("`{}`", owner.def ? context.name(owner.def->name) : owner.type->name);
-  std::string label = better_place(context, unit, property, owner);
-  std::vector<Note> notes;
-  if (label.empty()) {
-    const std::vector<std::string_view> names = properties_of(context, owner);
-    label = dialect_property(word, owner.type);
-    if (const auto guess = nearest(word, names); label.empty() && guess)
-      label = fmt::format("did you mean `{}`?", *guess);
-    notes.push_back({std::nullopt, fmt::format("{} takes {}", whose, fmt::join(names, ", "))});
-  }
-  context.report.add(no_property(unit.ast.named_span(item, context.program.symbols),
-                                 fmt::format("{} has no property `{}`", whose, word), std::move(label),
-                                 std::move(notes)));
+  Diagnostic d =
+      no_property(unit.ast.named_span(item, context.program.symbols),
+                  fmt::format("{} has no property `{}`", whose, word), better_place(context, unit, property, owner));
+  if (d.label.empty()) advise_on_property(d, whose, word, *owner.type, properties_of(context, owner));
+  context.report.add(std::move(d));
 }
 
 } // namespace rt::lang::errors

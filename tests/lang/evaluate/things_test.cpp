@@ -284,3 +284,9 @@ TEST_CASE("materials: the library holds what the reference says") {
   CHECK(scene.materials[2].ior == 2.417);
   CHECK(scene.materials[10].ior == 1.52);
 }
+
+TEST_CASE("things: lights and patterns are not flattened either") {
+  CHECK(errors("sphere { material: checker { scale: 1e-200 } }") == std::vector<std::string>{"E0406"});
+  CHECK(errors("light {}.scale(1e-60).scale(1e-60)") == std::vector<std::string>{"E0406"});
+  CHECK(errors("sphere { material: checker { scale: 1e-60 } }\nlight {}.scale(1e-60)").empty());
+}

@@ -1,5 +1,7 @@
+#include "lang/evaluate/scene_writer.hpp"
+
 #include "lang/check/lint/rules.hpp"
-#include "lang/evaluate/evaluator.hpp"
+#include "renderer/scene/media_conflicts.hpp"
 
 #include <fmt/format.h>
 
@@ -31,20 +33,18 @@ Span place_of(std::span<const PropertyValue> properties, const NodeType& type, s
   return otherwise;
 }
 
-} // namespace
-
-bool Evaluator::is_poisoned(std::span<const PropertyValue> properties) {
+bool is_poisoned(std::span<const PropertyValue> properties) {
   return std::ranges::any_of(properties, [](const PropertyValue& p) { return p.value.is_poison(); });
 }
 
-void Evaluator::put_simple(NodeId node, const Context& context, Target& target) {
-  const NodeType& type = program_.types[static_cast<std::size_t>(context.ast()[node].extra - 1)];
-  PropertyList properties;
-  simple_properties(node, context, type, properties);
-  put_thing({&type, properties.values(), nullptr, context.ast().span(node), nullptr}, target);
+} // namespace
+
+bool SceneWriter::takes(const ThingView& described, const Target& target) const {
+  const bool is_open = target.kind == Target::Kind::scene || target.kind == Target::Kind::content;
+  return is_open && !errors_.is_unsure() && !is_poisoned(described.properties);
 }
 
-void Evaluator::put_thing(const ThingView& described, Target& target) {
+void SceneWriter::put(const ThingView& described, Target& target) {
   const NodeType& type = *described.type;
   if (target.kind == Target::Kind::discarded) return;
   if (target.kind == Target::Kind::bare) {
@@ -72,11 +72,11 @@ void Evaluator::put_thing(const ThingView& described, Target& target) {
                                            : "write it after `material:`, or as a material's `color`");
 }
 
-bool Evaluator::make(const ThingView& described, void* room) {
+bool SceneWriter::make(const ThingView& described, void* room) {
   const NodeType& type = *described.type;
   for (const PropertyValue& p : described.properties) {
     const Property& property = type.properties[p.id];
-    if (property.common == Common::none) property.field->set(room, writer_.field_value(property, p.value));
+    if (property.common == Common::none) property.field->set(room, description_.field_value(property, p.value));
   }
   const std::optional<scene::Problem> problem = type.maker.check(room);
   if (!problem) return true;
@@ -85,7 +85,7 @@ bool Evaluator::make(const ThingView& described, void* room) {
   return false;
 }
 
-std::optional<scene::ShapeRef> Evaluator::shape(const ThingView& described) {
+std::optional<scene::ShapeRef> SceneWriter::shape(const ThingView& described) {
   if (described.thing && described.thing->shape) return described.thing->shape;
   Room room(described.type->maker);
   if (!make(described, room.get())) return std::nullopt;
@@ -95,102 +95,105 @@ std::optional<scene::ShapeRef> Evaluator::shape(const ThingView& described) {
 }
 
 // Of a thing that is about to be copied: its copies will share it.
-std::optional<scene::ShapeRef> Evaluator::shared_shape(const Thing& thing) {
-  if (thing.shape || unsure_ > 0 || is_poisoned(thing.properties)) return thing.shape;
+std::optional<scene::ShapeRef> SceneWriter::shared_shape(const Thing& thing) {
+  if (thing.shape || errors_.is_unsure() || is_poisoned(thing.properties)) return thing.shape;
   Room room(thing.type->maker);
   for (const PropertyValue& p : thing.properties) {
     const Property& property = thing.type->properties[p.id];
-    if (property.common == Common::none) property.field->set(room.get(), writer_.field_value(property, p.value));
+    if (property.common == Common::none) property.field->set(room.get(), description_.field_value(property, p.value));
   }
   if (thing.type->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
   thing.shape = thing.type->maker.add(scene_.shapes, room.get());
-  has_leftovers_ = true;
+  evaluation_.has_leftovers = true;
   return thing.shape;
 }
 
-std::optional<ObjectAttributes> Evaluator::attributes_of(const ThingView& described, const Content* content) {
-  ObjectAttributes attributes_of;
+ObjectAttributes SceneWriter::attributes_of(const ThingView& described) {
+  ObjectAttributes attributes;
   const auto apply = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
       if ((p.id & parameter_bit) != 0) continue;
       const Property& property = described.type->properties[p.id];
-      if (property.common != Common::none) writer_.apply(attributes_of, property, p.value);
+      if (property.common != Common::none) description_.apply(attributes, property, p.value);
     }
   };
-  if (content) apply(content->defaults);
+  const std::size_t known_patterns = scene_.patterns.size();
+  if (described.inside) apply(described.inside->defaults);
   apply(described.properties);
-  return attributes_of;
+  for (std::size_t i = known_patterns; i < scene_.patterns.size(); ++i)
+    if (flattens(scene_.patterns[i].placement))
+      fail("E0406", described.place, "a pattern on this thing is flattened, or stretched without end");
+  return attributes;
 }
 
-void Evaluator::put_shape(const ThingView& described, Target& target) {
-  if (unsure_ > 0 || is_poisoned(described.properties)) return;
-  ++target.things;
+// A difference or an intersection that was given no solid has no meaning.
+bool SceneWriter::is_something(const ThingView& described) {
   const NodeType& type = *described.type;
-  Ref<Content> inside;
-  if (type.is_composite()) {
-    if (described.thing) inside = content(*described.thing);
-    if (!inside || inside->is_nothing) {
-      const bool is_open_end = type.category == Category::combination &&
-                               type.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
-      if (is_open_end) {
-        fail("E0407", described.place, fmt::format("the block of this {} holds no solid", type.name));
-        return;
-      }
-    }
-    if (inside && is_poisoned(inside->defaults)) return;
-  }
-  const auto attributes = attributes_of(described, inside.get());
-  const bool is_missing = !attributes->is_visible || (inside && inside->is_nothing);
-  if (target.type && target.type->category == Category::combination && is_missing) {
+  const Content* inside = described.inside;
+  const bool is_open_end = type.category == Category::combination && (!inside || inside->is_nothing) &&
+                           type.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
+  if (is_open_end) fail("E0407", described.place, fmt::format("the block of this {} holds no solid", type.name));
+  return !is_open_end && !(inside && is_poisoned(inside->defaults));
+}
+
+void SceneWriter::put_shape(const ThingView& described, Target& target) {
+  if (!takes(described, target)) return;
+  ++target.things;
+  if (!is_something(described)) return;
+  const Content* inside = described.inside;
+  const ObjectAttributes attributes = attributes_of(described);
+  const bool is_missing = !attributes.is_visible || (inside && inside->is_nothing);
+  if (target.is_combination() && is_missing) {
     target.is_one_missing = true;
     if (target.things == 1) target.is_first_missing = true;
   }
-  if (!attributes->is_visible) return;
-  const auto turn = writer_.transform(*attributes, described.chain);
-  if (!turn) return fail_flattened(described.place);
-  if (inside && !inside->lights.empty()) put_lights_of(*inside, *attributes, described, target);
-  if (inside && inside->is_nothing) return;
-  const std::optional<scene::ShapeRef> made = inside ? content_shape(*inside, type, described.place) : shape(described);
-  if (!made) return;
-  if (report_.wants_remarks()) remark_medium(described, inside.get(), *made);
-  if (target.type && target.type->category == Category::combination && !is_operand(described, *made)) return;
-  count_objects(1, described.place);
-  target.depth = std::max<std::uint16_t>(target.depth, inside ? inside->depth : 0);
-  scene::Object& object = target.objects->emplace_back();
-  object.at = attributes->at;
-  object.shape = *made;
-  object.transform = *turn;
-  object.material = attributes->material;
-  object.name = attributes->name;
-  if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
-  object.origin = writer_.origin(described.place);
-  object.casts_shadow = attributes->casts_shadow;
+  if (!attributes.is_visible) return;
+  const auto transform = description_.transform(attributes, described.chain);
+  if (!transform) return fail_flattened(described.place);
+  if (inside && !inside->lights.empty()) put_lights_of(*inside, attributes, described, target);
+  if (!inside || !inside->is_nothing) add_object(described, attributes, *transform, target);
 }
 
-void Evaluator::fail_flattened(Span place) {
+void SceneWriter::add_object(const ThingView& described, const ObjectAttributes& attributes,
+                             scene::TransformId transform, Target& target) {
+  Content* inside = described.inside;
+  const auto made = inside ? content_shape(*inside, *described.type, described.place) : shape(described);
+  if (!made) return;
+  if (errors_.report().wants_remarks()) remark_medium(described, *made);
+  if (target.is_combination() && !is_operand(described, *made)) return;
+  limits_.count_objects(1, described.place);
+  target.depth = std::max<std::uint16_t>(target.depth, inside ? inside->depth : 0);
+  scene::Object& object = target.objects->emplace_back();
+  object.at = attributes.at;
+  object.shape = *made;
+  object.transform = transform;
+  object.material = attributes.material;
+  object.name = attributes.name;
+  if (object.name == scene::no_name && described.thing) object.name = default_name(described.thing->default_name);
+  object.origin = description_.origin(described.place);
+  object.casts_shadow = attributes.casts_shadow;
+}
+
+void SceneWriter::fail_flattened(Span place) {
   fail("E0406", place,
        "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
 }
 
-std::optional<scene::ShapeRef> Evaluator::content_shape(Content& content, const NodeType& type, Span place) {
+std::optional<scene::ShapeRef> SceneWriter::content_shape(Content& content, const NodeType& type, Span place) {
   if (content.shape) return content.shape;
   if (type.category == Category::group) {
     content.shape = builder_.group(std::move(content.members));
   } else {
     content.shape = builder_.combination(type.operation, std::move(content.members));
-    remember_places(place);
+    // Every combination that was made since is said to be written here.
+    combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place);
   }
   content.members = {};
   return content.shape;
 }
 
-// Every combination that was made since is said to be written here.
-void Evaluator::remember_places(Span place) {
-  combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place);
-}
-
 // A solid whose material lets light through and does not say how it bends it.
-void Evaluator::remark_medium(const ThingView& described, const Content* content, scene::ShapeRef made) {
+void SceneWriter::remark_medium(const ThingView& described, scene::ShapeRef made) {
   const Value* material = nullptr;
   const auto look = [&](std::span<const PropertyValue> properties) {
     for (const PropertyValue& p : properties) {
@@ -198,7 +201,7 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
         material = &p.value;
     }
   };
-  if (content) look(content->defaults);
+  if (described.inside) look(described.inside->defaults);
   look(described.properties);
   if (!material || !material->is(ValueKind::thing) || material->thing().type->category != Category::material) return;
   const Thing& thing = material->thing();
@@ -208,14 +211,14 @@ void Evaluator::remark_medium(const ThingView& described, const Content* content
   const Value& share = refract->value;
   const bool bends_nothing = is_pattern(share) || (share.is_number() && share.number() > 0);
   if (!bends_nothing || !builder_.open_part(made).empty()) return;
-  if (Diagnostic* d = report_.remark(lint_rule::no_ior.code, refract->span)) {
+  if (Diagnostic* d = errors_.report().remark(lint_rule::no_ior.code, refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
     d->label = "`ior` is 1 unless it is written";
     d->notes.push_back({std::nullopt, "write `ior: 1.5` for glass, `ior: 1.33` for water, or `ior: 1` if it is meant"});
   }
 }
 
-bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
+bool SceneWriter::is_operand(const ThingView& described, scene::ShapeRef made) {
   const std::string_view open = builder_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.type->name;
@@ -229,16 +232,16 @@ bool Evaluator::is_operand(const ThingView& described, scene::ShapeRef made) {
   return false;
 }
 
-void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
-                              Target& target) {
-  if (target.type && target.type->category == Category::combination) {
+void SceneWriter::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
+                                Target& target) {
+  if (target.is_combination()) {
     fail("E0402", described.place,
          fmt::format("there is a light in this {}, and light is no solid", described.type->name));
     return;
   }
   const bool is_placed = attributes.at != Vec3{} || attributes.rotate != Vec3{} || attributes.scale != Vec3{1, 1, 1} ||
                          (described.chain && !described.chain->steps.empty());
-  count_objects(inside.lights.size(), described.place);
+  limits_.count_objects(inside.lights.size(), described.place);
   for (const scene::Light& light : inside.lights) {
     scene::Light& copy = target.lights->emplace_back(light);
     if (!is_placed) continue;
@@ -247,36 +250,36 @@ void Evaluator::put_lights_of(const Content& inside, const ObjectAttributes& att
   }
 }
 
-void Evaluator::put_light(const ThingView& described, Target& target) {
-  if (unsure_ > 0 || is_poisoned(described.properties)) return;
+void SceneWriter::put_light(const ThingView& described, Target& target) {
+  if (!takes(described, target)) return;
   ++target.things;
   const NodeType& type = *described.type;
-  if (target.type && target.type->category == Category::combination) {
+  if (target.is_combination()) {
     fail("E0402", described.place, fmt::format("a {} is no solid: it cannot be combined", type.name));
     return;
   }
   Room room(type.maker);
   if (!make(described, room.get())) return;
-  const auto attributes = attributes_of(described, nullptr);
+  const auto attributes = attributes_of(described);
   if (described.chain && scene::flattens({{1, 1, 1}, {}, {}, described.chain->steps}))
     return fail_flattened(described.place);
-  count_objects(1, described.place);
+  limits_.count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
   light.source = type.maker.light(room.get());
   if (described.chain) light.chain = described.chain->steps;
-  light.name = attributes->name;
+  light.name = attributes.name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
-  light.origin = writer_.origin(described.place);
+  light.origin = description_.origin(described.place);
 }
 
-void Evaluator::put_camera(const ThingView& described, Target& target) {
+void SceneWriter::put_camera(const ThingView& described, Target& target) {
   if (target.kind != Target::Kind::scene) {
     fail("E0403", described.place, "a camera stands at the top level, not inside a thing");
     return;
   }
-  if (unsure_ > 0) return;
+  if (errors_.is_unsure()) return;
   if (camera_place_) {
-    if (Diagnostic* d = error("E0404", described.place)) {
+    if (Diagnostic* d = errors_.error("E0404", described.place)) {
       d->message = "there is a camera already, and a scene has one";
       d->notes.push_back({*camera_place_, "the first one is here"});
     }
@@ -287,7 +290,29 @@ void Evaluator::put_camera(const ThingView& described, Target& target) {
   Room room(described.type->maker);
   if (!make(described, room.get())) return;
   scene_.camera = *static_cast<const scene::Camera*>(room.get());
-  scene_.camera_origin = writer_.origin(described.place);
+  scene_.camera_origin = description_.origin(described.place);
+}
+
+void SceneWriter::check_media(const std::vector<scene::Object>& objects) {
+  for (const scene::MediaConflict& conflict : media_conflicts(scene_, objects)) {
+    fail("E0408", combination_places_[conflict.combination],
+         "the parts of this solid refract differently, and one solid is one medium",
+         fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first_ior),
+                     format_number(conflict.second_ior)),
+         "give the whole a material, or its parts the same `ior`");
+  }
+}
+
+scene::NameId SceneWriter::default_name(Symbol symbol) {
+  if (symbol == no_symbol) return scene::no_name;
+  const auto i = static_cast<std::size_t>(symbol);
+  if (i >= default_names_.size()) default_names_.resize(std::max(i + 1, program_.symbols.size()), scene::no_name);
+  if (default_names_[i] == scene::no_name) default_names_[i] = builder_.name(name(symbol));
+  return default_names_[i];
+}
+
+scene::FieldValue SceneWriter::scene_value(const PropertyValue& property) {
+  return description_.field_value(program_.types.scene().properties[property.id], property.value);
 }
 
 } // namespace rt::lang

@@ -1,4 +1,5 @@
-#include "lang/evaluate/evaluator.hpp"
+#include "lang/evaluate/expectation_runner.hpp"
+
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
@@ -46,17 +47,18 @@ bool is_comparison(Op op) {
 
 } // namespace
 
-void Evaluator::run_expectations() {
-  for (const Expectation& expectation : expectations_) {
-    spend(1, expectation.unit->ast.span(expectation.node));
+Expectations ExpectationRunner::run(const std::vector<Expectation>& expectations) {
+  for (const Expectation& expectation : expectations) {
+    limits_.spend(1, expectation.unit->ast.span(expectation.node));
     if (holds(expectation))
       ++outcome_.passed;
     else
       ++outcome_.failed;
   }
+  return std::move(outcome_);
 }
 
-bool Evaluator::holds(const Expectation& expectation) {
+bool ExpectationRunner::holds(const Expectation& expectation) {
   const ExpectItem item = expectation.unit->ast.expect_item(expectation.node);
   switch (item.claim) {
   case Claim::holds:
@@ -70,8 +72,8 @@ bool Evaluator::holds(const Expectation& expectation) {
   return holds_sight(expectation, item);
 }
 
-void Evaluator::fail_expectation(const Expectation& expectation, std::string message, std::string expected,
-                                 std::string found) {
+void ExpectationRunner::fail_expectation(const Expectation& expectation, std::string message, std::string expected,
+                                         std::string found) {
   Diagnostic& d = outcome_.failures.emplace_back();
   d.code = "E0701";
   d.message = std::move(message);
@@ -79,33 +81,23 @@ void Evaluator::fail_expectation(const Expectation& expectation, std::string mes
   if (!expected.empty()) d.notes.push_back({std::nullopt, "expected " + std::move(expected)});
   if (!found.empty()) d.notes.push_back({std::nullopt, "found " + std::move(found)});
   std::string turn;
-  for (const LoopVariable& v : expectation.turn)
+  for (const Expectation::LoopVariable& v : expectation.turn)
     turn += fmt::format("{}{} = {}", turn.empty() ? "" : ", ", program_.sources.text(v.name),
                         format(v.value, program_.symbols));
   if (!turn.empty()) d.notes.push_back({std::nullopt, "in the turn of the loop with " + turn});
 }
 
-std::vector<Evaluator::LoopVariable> Evaluator::turn_of_loops() const {
-  std::vector<LoopVariable> turn;
-  for (const Loop& loop : loops_) {
-    const ForItem item = loop.ast->for_item(loop.node);
-    for (const NodeId name : {item.index_name, item.value_name})
-      if (name != no_node) turn.push_back({loop.ast->span(name), (*loop.frame)[loop.ast->slot(name)]});
-  }
-  return turn;
-}
-
-bool Evaluator::holds_true(const Expectation& expectation, const ExpectItem& item) {
+bool ExpectationRunner::holds_true(const Expectation& expectation, const ExpectItem& item) {
   const Context context{expectation.unit, expectation.frame.get()};
   bool is_poison = false;
-  const bool truth = is_true(item.subject, context, is_poison);
+  const bool truth = expressions_.is_true(item.subject, context, is_poison);
   if (truth || is_poison) return truth && !is_poison;
   const Ast& ast = context.ast();
   if (ast.kind(item.subject) != Kind::binary || !is_comparison(ast.op(item.subject))) {
     fail_expectation(expectation, "this is false", {}, {});
     return false;
   }
-  const auto side = [&](NodeId node) { return format(expression(node, context), program_.symbols); };
+  const auto side = [&](NodeId node) { return format(expressions_.evaluate(node, context), program_.symbols); };
   const Op op = ast.op(item.subject);
   fail_expectation(
       expectation, "this is false",
@@ -114,9 +106,10 @@ bool Evaluator::holds_true(const Expectation& expectation, const ExpectItem& ite
   return false;
 }
 
-std::optional<double> Evaluator::tolerance_of(const ExpectItem& item, const Context& context, double otherwise) {
+std::optional<double> ExpectationRunner::tolerance_of(const ExpectItem& item, const Context& context,
+                                                      double otherwise) {
   if (item.tolerance == no_node) return otherwise;
-  const Value tolerance = expression(item.tolerance, context);
+  const Value tolerance = expressions_.evaluate(item.tolerance, context);
   if (tolerance.is_number() && tolerance.number() >= 0) return tolerance.number();
   if (!tolerance.is_poison())
     fail("E0304", context.ast().span(item.tolerance), "a tolerance is a number, 0 or more",
@@ -124,10 +117,11 @@ std::optional<double> Evaluator::tolerance_of(const ExpectItem& item, const Cont
   return std::nullopt;
 }
 
-bool Evaluator::holds_near(const Expectation& expectation, const ExpectItem& item) {
+bool ExpectationRunner::holds_near(const Expectation& expectation, const ExpectItem& item) {
   constexpr double none_given = -1;
   const Context context{expectation.unit, expectation.frame.get()};
-  const Value found = expression(item.subject, context), expected = expression(item.other, context);
+  const Value found = expressions_.evaluate(item.subject, context),
+              expected = expressions_.evaluate(item.other, context);
   const auto given = tolerance_of(item, context, none_given);
   if (found.is_poison() || expected.is_poison() || !given) return false;
   const auto tolerance = *given == none_given ? std::nullopt : given;
@@ -141,12 +135,12 @@ bool Evaluator::holds_near(const Expectation& expectation, const ExpectItem& ite
   return false;
 }
 
-bool Evaluator::holds_sight(const Expectation& expectation, const ExpectItem& item) {
+bool ExpectationRunner::holds_sight(const Expectation& expectation, const ExpectItem& item) {
   const Context context{expectation.unit, expectation.frame.get()};
   const Ast& ast = context.ast();
-  const Value query = expression(item.subject, context);
-  const Value thing = item.other == no_node ? Value() : expression(item.other, context);
-  const Value t = item.parameter == no_node ? Value() : expression(item.parameter, context);
+  const Value query = expressions_.evaluate(item.subject, context);
+  const Value thing = item.other == no_node ? Value() : expressions_.evaluate(item.other, context);
+  const Value t = item.parameter == no_node ? Value() : expressions_.evaluate(item.parameter, context);
   const auto tolerance = tolerance_of(item, context, t.is_number() ? tolerance_for({}, t.number()) : 0);
   if (query.is_poison() || thing.is_poison() || t.is_poison() || !tolerance) return false;
   if (item.other != no_node && !thing.is(ValueKind::thing) && !thing.is(ValueKind::string)) {
@@ -179,18 +173,16 @@ bool Evaluator::holds_sight(const Expectation& expectation, const ExpectItem& it
   return false;
 }
 
-std::string Evaluator::name_of(const Value& thing, NodeId node, const Context& context) {
+std::string ExpectationRunner::name_of(const Value& thing, NodeId node, const Context& context) {
   if (thing.is(ValueKind::string)) return fmt::format("`{}`", thing.text());
   return fmt::format("`{}`", program_.sources.text(context.ast().span(node)));
 }
 
 // By its name where it has one: a copy that was placed bears it too, and so does what a composite holds. Else by its
 // shape.
-bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
-  if (value.is(ValueKind::thing) && alone_.thing.is(ValueKind::thing) && alone_.thing.cell() == value.cell()) {
-    // The thing that was asked about alone: whatever was hit is part of it.
-    const auto list = std::span(alone_.scene->objects);
-    const bool is_of_it = std::ranges::any_of(list, [&](const scene::Object& o) {
+bool ExpectationRunner::is_seen(const Value& value, const Sighting& sighting) {
+  if (is_alone(value)) { // whatever was hit is part of it
+    const bool is_of_it = std::ranges::any_of(alone_.scene->objects, [&](const scene::Object& o) {
       return o.shape == sighting.objects.front().shape && o.at == sighting.objects.front().at;
     });
     if (is_of_it) return true;
@@ -198,13 +190,13 @@ bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
   scene::NameId wanted = scene::no_name;
   std::optional<scene::ShapeRef> shape;
   if (value.is(ValueKind::string)) {
-    wanted = builder_.name(value.text());
+    wanted = evaluation_.builder.name(value.text());
   } else {
     const Thing& thing = value.thing();
-    wanted = default_name(thing.default_name);
+    wanted = writer_.default_name(thing.default_name);
     for (const PropertyValue& p : thing.properties) {
       const bool is_name = (p.id & parameter_bit) == 0 && thing.type->properties[p.id].common == Common::name;
-      if (is_name) wanted = builder_.name(p.value.text());
+      if (is_name) wanted = evaluation_.builder.name(p.value.text());
     }
     shape = thing.content ? thing.content->shape : thing.shape;
   }
@@ -213,26 +205,30 @@ bool Evaluator::is_seen(const Value& value, const Sighting& sighting) {
   });
 }
 
-const Observer* Evaluator::observer() {
+const Observer* ExpectationRunner::observer() {
   if (!observer_) observer_ = (*make_observer_)(scene_);
   return observer_.get();
 }
 
+// Whether this is the thing that was asked about alone.
+bool ExpectationRunner::is_alone(const Value& thing) const {
+  return thing.is(ValueKind::thing) && alone_.thing.is(ValueKind::thing) && alone_.thing.cell() == thing.cell();
+}
+
 // A scene of its own, because what is asked about need not stand in this one.
-const Observer* Evaluator::observer_of(const Value& value, Span place) {
+const Observer* ExpectationRunner::observer_of(const Value& value, Span place) {
   if (!value.is(ValueKind::thing) || !value.thing().type->is_shape()) {
     fail("E0304", place, "a ray is tested against a shape, a group or a solid", "this is " + describe(value));
     return nullptr;
   }
-  if (alone_.thing.is(ValueKind::thing) && alone_.thing.cell() == value.cell()) return alone_.observer.get();
+  if (is_alone(value)) return alone_.observer.get();
   std::vector<scene::Object> objects;
   std::vector<scene::Light> lights;
   Target target;
   target.kind = Target::Kind::scene;
   target.objects = &objects;
   target.lights = &lights;
-  target.properties = &scene_properties_;
-  put(value, place, target);
+  blocks_.put(value, place, target);
   std::swap(scene_.objects, objects);
   auto alone = std::make_unique<scene::Scene>(scene_);
   std::swap(scene_.objects, objects);
@@ -241,6 +237,11 @@ const Observer* Evaluator::observer_of(const Value& value, Span place) {
   alone_.scene = std::move(alone);
   alone_.thing = value;
   return alone_.observer.get();
+}
+
+void ExpectationRunner::clear() {
+  observer_.reset();
+  alone_ = {};
 }
 
 } // namespace rt::lang

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "lang/check/program.hpp"
+#include "lang/diagnostics/report.hpp"
+#include "lang/values/properties.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace rt::lang {
+
+/// Reports what goes wrong while a program runs, with the calls that led there.
+class ErrorReporter {
+  struct CallFrame {
+    const FunctionInfo* function;
+    Span place;
+    const CallFrame* caller;
+  };
+
+public:
+  ErrorReporter(Report& report, const SymbolTable& symbols) : report_(report), symbols_(symbols) {}
+
+  /// The diagnostic to be filled in; null where nothing is to be said.
+  Diagnostic* error(std::string_view code, Span place);
+  /// Reports an error; poison, to be handed on.
+  Value fail(std::string_view code, Span place, std::string message, std::string label = {}, std::string advice = {});
+  void tell(const Mistake& mistake, Span place);
+
+  Report& report() { return report_; }
+  std::string_view name(Symbol symbol) const { return symbols_.name(symbol); }
+  bool is_in_call() const { return calls_ != nullptr; }
+  /// A condition is in error, so that what is read may never run: nothing is built.
+  bool is_unsure() const { return unsure_ > 0; }
+
+  /// While it lives, it is not sure that what is read runs at all.
+  class Unsure {
+  public:
+    explicit Unsure(ErrorReporter& reporter) : reporter_(reporter) { ++reporter_.unsure_; }
+    Unsure(const Unsure&) = delete;
+    Unsure& operator=(const Unsure&) = delete;
+    ~Unsure() { --reporter_.unsure_; }
+
+  private:
+    ErrorReporter& reporter_;
+  };
+
+  /// While it lives, errors are in a call of this function from that place.
+  class Call {
+  public:
+    Call(ErrorReporter& reporter, const FunctionInfo& function, Span place)
+        : reporter_(reporter), frame_{&function, place, reporter.calls_} {
+      reporter_.calls_ = &frame_;
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    ~Call() { reporter_.calls_ = frame_.caller; }
+
+  private:
+    ErrorReporter& reporter_;
+    CallFrame frame_;
+  };
+
+private:
+  Report& report_;
+  const SymbolTable& symbols_;
+  const CallFrame* calls_ = nullptr;
+  int unsure_ = 0;
+};
+
+} // namespace rt::lang

@@ -1,0 +1,87 @@
+#include "lang/evaluate/limit_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rt::lang {
+namespace {
+
+constexpr std::uint64_t steps_between_looks = 1'024;
+
+std::string amount(std::uint64_t bytes) {
+  return bytes >= std::uint64_t{1} << 20 ? fmt::format("{} MiB", bytes >> 20) : fmt::format("{} bytes", bytes);
+}
+
+} // namespace
+
+void LimitGuard::end(std::string_view code, std::string message, std::string label, Span place) {
+  errors_.fail(code, place, std::move(message), std::move(label));
+  throw Ended{};
+}
+
+void LimitGuard::give_up(std::string_view code, std::string message, std::string label, Span place) {
+  errors_.fail(code, place, std::move(message), std::move(label));
+  throw TooDeep{};
+}
+
+void LimitGuard::restart(const char* stack_limit) {
+  stack_limit_ = stack_limit;
+  steps_ = next_look_ = objects_ = 0;
+}
+
+void LimitGuard::spend_if_too_many(double count, Span place) {
+  const std::uint64_t left = limits_.steps - std::min(limits_.steps, steps_);
+  if (count > static_cast<double>(left)) spend(limits_.steps, place);
+}
+
+void LimitGuard::look(Span place) {
+  if (steps_ > limits_.steps)
+    end("E0501", fmt::format("this scene takes more than {} steps", limits_.steps),
+        "here it was stopped; `--max-steps` allows more", place);
+  if (stop_ && stop_->load(std::memory_order_relaxed)) end("E0505", "stopped", "evaluation had come to here", place);
+  reserve(0, place);
+  next_look_ = std::min(steps_ + steps_between_looks, limits_.steps + 1);
+}
+
+std::uint64_t LimitGuard::bytes_in_use() const {
+  std::uint64_t shapes = 0;
+  scene::ShapeKinds::for_each([&]<class S>() { shapes += scene_.shapes.all<S>().capacity() * sizeof(S); });
+  return heap_.bytes() + shapes + objects_ * sizeof(scene::Object) +
+         scene_.materials.capacity() * sizeof(scene::Material) +
+         scene_.transforms.capacity() * sizeof(scene::Placement);
+}
+
+void LimitGuard::reserve(std::uint64_t bytes, Span place) {
+  if (bytes_in_use() + bytes <= limits_.memory_bytes) return;
+  end("E0504", fmt::format("this scene takes more than {} of memory", amount(limits_.memory_bytes)),
+      "here it was stopped; `--max-memory` allows more", place);
+}
+
+void LimitGuard::count_objects(std::size_t count, Span place) {
+  objects_ += count;
+  if (objects_ <= limits_.objects) return;
+  end("E0503", fmt::format("this scene has more than {} objects", limits_.objects),
+      "here it was stopped; `--max-objects` allows more", place);
+}
+
+void LimitGuard::check_depth(std::uint16_t depth, Span place) {
+  if (depth <= most_depth) return;
+  give_up("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped",
+          place);
+}
+
+void LimitGuard::enter_call(Span place) {
+  spend(1, place);
+  const char here = 0;
+  const int depth = recursion_ + 1;
+  if (depth > limits_.recursion)
+    give_up("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion),
+            "does this call itself without end?", place);
+  if (&here < stack_limit_)
+    give_up("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", depth), "here it was stopped",
+            place);
+  recursion_ = depth;
+}
+
+} // namespace rt::lang

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lang/evaluate/evaluation.hpp"
+
+namespace rt::lang {
+
+/// The operators on values: arithmetic and comparison. `and`, `or` and the combination of solids are not among them.
+class Operators : private EvaluationPart {
+public:
+  explicit Operators(Evaluation& evaluation) : EvaluationPart(evaluation) {}
+
+  Value negative(const Value& value, Span place);
+  /// Neither is poison.
+  Value binary(Op op, const Value& left, const Value& right, Span place);
+  static double compute(Op op, double left, double right);
+
+private:
+  Value comparison(Op op, const Value& left, const Value& right, Span place);
+  Value arithmetic(Op op, const Value& left, const Value& right, Span place);
+  Value vector_arithmetic(Op op, const Value& left, const Value& right, Span place);
+  Value color_arithmetic(Op op, const Color& left, const Color& right, Span place);
+  Value wrong_operands(Op op, const Value& left, const Value& right, Span place);
+};
+
+/// Whether the operator combines solids, where both sides are things.
+bool is_solid_operator(Op op);
+
+} // namespace rt::lang

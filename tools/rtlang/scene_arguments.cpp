@@ -154,7 +154,7 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
   };
   add("--size", "size", "WxH", "overrides the scene's width and height");
   add("--samples", "samples", "N", "rays per pixel, a square number");
-  add("--max-depth", "max_depth", "N", "maximum number of reflections and refractions in a row");
+  add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
   return settings;
 }
 

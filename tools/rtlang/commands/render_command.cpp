@@ -175,11 +175,11 @@ int run_render(const RenderArguments& arguments) {
 
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  app.add_option("-o,--output", arguments->outputs, "output file (.png .exr .ppm .pfm), or - for standard output")
+  app.add_option("-o,--output", arguments->outputs, ".png .exr .ppm or .pfm file, - for standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   arguments->picture = add_picture_arguments(app);
-  app.add_option("--crop", arguments->crop, "renders only this rectangle, in pixels from the top left")
+  app.add_option("--crop", arguments->crop, "renders only this part, in pixels from the top left")
       ->type_name("X0,Y0,X1,Y1")
       ->check([](const std::string& text) {
         return live::parse_numbers(text, ',', 4) ? ""
@@ -195,7 +195,7 @@ Action declare_render(CLI::App& app) {
   app.add_flag("--stats{text}", arguments->statistics, "prints timings and counts as a table, or as JSON")
       ->type_name("[json]")
       ->check(one_of({"text", "json"}));
-  app.add_option("--format", arguments->format, "for - and unknown extensions: png (default), exr, ppm, pfm")
+  app.add_option("--format", arguments->format, "for - and other names: png (default), exr, ppm, pfm")
       ->type_name("NAME")
       ->check(one_of({"png", "exr", "ppm", "pfm"}))
       ->group(further_options);

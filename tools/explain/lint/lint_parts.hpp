@@ -73,7 +73,7 @@ struct Around {
 class Findings {
 public:
   Findings(const scene::Scene& scene, const lang::SourceMap& sources)
-      : namer_(scene, scene.files.empty() ? "" : scene.files.front()), sources_(sources) {}
+      : namer_(scene, scene.files.empty() ? std::string_view() : scene.files.front()), sources_(sources) {}
 
   /// A warning at a line, or about the scene as a whole where nothing was written (line 0).
   lang::Diagnostic& warn(const lang::LintRule& rule, Line line, std::string message);

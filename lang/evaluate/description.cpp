@@ -94,6 +94,7 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
     if (thing.built == 0xffffffff) {
       scene::Material made;
       for (const PropertyValue& p : thing.properties) {
+        if (p.value.is_poison()) continue; // a mistake, which was reported
         const Property& property = thing.type->properties[p.id];
         property.field->set(&made, field_value(property, p.value));
       }
@@ -114,6 +115,7 @@ scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   void* const layout = std::visit([](auto& of_kind) -> void* { return &of_kind; }, made.layout);
   ObjectAttributes attributes_of;
   for (const PropertyValue& p : thing.properties) {
+    if (p.value.is_poison()) continue;
     const Property& property = thing.type->properties[p.id];
     if (property.common == Common::none)
       property.field->set(layout, field_value(property, p.value));

@@ -58,7 +58,7 @@ std::optional<Violation> check(const Constraint& constraint, const Vec3& vector)
 
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size) {
   if (auto violation = check_all(constraint, {size.x, size.y, size.z})) return violation;
-  if (!constraint.is_nonzero || size.x * size.y * size.z != 0) return std::nullopt;
+  if (!constraint.is_nonzero || (size.x != 0 && size.y != 0 && size.z != 0)) return std::nullopt;
   return Violation{Kind::flattens, "must not be 0: that flattens the thing", "this is 0"};
 }
 

@@ -11,8 +11,8 @@ TEST_CASE("defaults: the camera sees the whole bounding sphere, from three-quart
   Scene scene;
   scene.size = {400, 400};
   const std::string note = assume_camera(scene, {{-1, -1, -1}, {1, 1, 1}});
-  // R = √3, a = 50°: 1.1 √3 / sin 25° = 4.508219 from the centre, along (0.5, 0.45, 1) / √1.4525.
-  CHECK(length(scene.camera.at) == Approx(4.508219).epsilon(1e-7));
+  // R = √3, a = 50°: 1.1 √3 / sin 25° = 4.50821950 from the centre, along (0.5, 0.45, 1) / √1.4525.
+  CHECK(length(scene.camera.at) == Approx(4.50821950).epsilon(1e-9));
   CHECK(scene.camera.at.x / scene.camera.at.z == Approx(0.5));
   CHECK(scene.camera.at.y / scene.camera.at.z == Approx(0.45));
   CHECK(scene.camera.look_at == Vec3{});

@@ -3,8 +3,8 @@
 #include "lang/load.hpp"
 #include "tests/paths.hpp"
 #include "tests/support/program.hpp"
-#include "tools/terminal/exit_code.hpp"
 #include "tools/explain/why.hpp"
+#include "tools/terminal/exit_code.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -283,7 +283,7 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, 1] }\nsphere {}") ==
         "black because sphere (line 3) faces away from sun (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0\nspot { at: [0, 9, 9], look_at: [0, 9, 0] }\nsphere {}") ==
-        "black because sphere (line 3) lies outside the cone of spot (line 2), and ambient is 0");
+        "black because sphere (line 3) is outside the cone of spot (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0.01\nsphere {}") == "dark because there is no light, and there is little ambient light");
   CHECK(sentence_of("ambient: 0\nlight { at: [0, 0, 1] }\nsphere {}") ==
         "black because light (line 2) is at the very point that is seen and does not light it, and ambient is 0");

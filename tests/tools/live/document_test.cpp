@@ -41,7 +41,7 @@ TEST_CASE("document: a text that is wrong has no scene, and says why") {
 
 TEST_CASE("document: what POV-Ray cannot compute exactly is named with its place") {
   CHECK(live::export_povray(document_of(ball), true).problems.empty());
-  const std::string spot = "spot { at: [0, 9, 0], look_at: [0, 0, 0], angle: 20, shadowless: true }\n";
+  const std::string spot = "spot { at: [0, 9, 0], look_at: [0, 0, 0], angle: 20, shadows: false }\n";
   const live::PovrayExport exported = live::export_povray(document_of(ball + spot), true);
   CHECK(exported.problems.starts_with("error: POV-Ray has no spotlight without shadows"));
   CHECK(exported.problems.ends_with("\n  --> test.rtl:4\n"));

@@ -60,7 +60,10 @@ TEST_CASE("export: every pattern is written, as pigments where it is a colour an
       if (!field.is_textured) continue;
       INFO(std::string(P::noun) + " on " + std::string(field.name));
       WrittenScene b;
-      const auto pattern = b.pattern({P{}, {}});
+      P layout;
+      for (const scene::Field& part : fields(&layout)) // 0.5 is within what every property takes
+        if (part.is_textured) part.set(&layout, grey(0.5));
+      const auto pattern = b.pattern({layout, {}});
       scene::Material m;
       field.set(&m, pattern);
       b.place(scene::Sphere{1}, b.material(m));

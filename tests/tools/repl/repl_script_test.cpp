@@ -78,7 +78,7 @@ TEST_CASE("session as a script: the reference, POV-Ray's format and the program'
   CHECK(outcome.errors == "");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.output.find("radius") != std::string::npos);
-  CHECK(outcome.output.find("material.shininess: number (32)") != std::string::npos);
+  CHECK(outcome.output.find("material.shininess: number or pattern (32)") != std::string::npos);
   CHECK(folder.read("a.pov").find("sphere") != std::string::npos);
   CHECK(session(folder, ":doc spher\n").errors.find("did you mean `sphere`?") != std::string::npos);
 }

@@ -168,11 +168,10 @@ TEST_CASE("export: groups keep every surface, solids their outer boundary, and s
   CHECK(count(exported(b, Pass::ids), "sphere {") == 4);
 
   WrittenScene solid;
-  scene::Combination difference{
-      scene::Combination::Operation::subtract,
-      {solid.object(scene::Sphere{1}),
-       solid.object(scene::Group{{solid.object(scene::Box{}), solid.object(scene::Sphere{2})}})}};
-  solid.place(difference);
+  const scene::Object sphere = solid.object(scene::Sphere{1});
+  const scene::Object members =
+      solid.object(scene::Group{{solid.object(scene::Box{}), solid.object(scene::Sphere{2})}});
+  solid.add({.shape = solid.combination(scene::Combination::Operation::subtract, {sphere, members})});
   CHECK_THAT(exported(solid), Contains("difference {") && Contains("merge {") && !Contains("union {"));
 }
 

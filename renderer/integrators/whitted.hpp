@@ -90,7 +90,7 @@ public:
   /// Whether light comes through: if so, the ray that fetches it is the next to be followed.
   bool transmits(const Scattering& s) {
     const Interaction& at = *s.at;
-    if (!at.bsdf.is_transparent() || s.terms.is_total) return false;
+    if (!s.terms.is_transparent) return false; // what the surface is made of may be forgotten by now
     recorder_.refraction(s.terms.tau, s.transition, at.cosine, s.terms.is_bent ? s.terms.cos_behind : at.cosine);
     return s.terms.tau != black;
   }

@@ -18,12 +18,13 @@ struct ReflectedLight {
 
 /// How a smooth surface mirrors and refracts a ray.
 struct SpecularTerms {
-  Color rho = black;      ///< weight of the mirrored ray
-  Color tau = black;      ///< weight of the refracted ray
-  double reflectance = 1; ///< Fresnel's share in ρ; 1 where it is not asked for
-  double cos_behind = 1;  ///< between the refracted ray and the normal
-  bool is_bent = false;   ///< the refracted ray changes its direction
-  bool is_total = false;  ///< total internal reflection takes the place of both: all is mirrored
+  Color rho = black;           ///< weight of the mirrored ray
+  Color tau = black;           ///< weight of the refracted ray
+  double reflectance = 1;      ///< Fresnel's share in ρ; 1 where it is not asked for
+  double cos_behind = 1;       ///< between the refracted ray and the normal
+  bool is_transparent = false; ///< a refracted ray goes on, if only with weight 0
+  bool is_bent = false;        ///< the refracted ray changes its direction
+  bool is_total = false;       ///< total internal reflection takes the place of both: all is mirrored
 };
 
 /// How a surface scatters light: Lambert's diffuse reflection, Blinn's or Phong's highlight, a mirror and refraction,
@@ -80,6 +81,7 @@ public:
       terms.rho = v.reflect * metallic_tint(v.metallic, cosine, v.color) * terms.reflectance;
     }
     if (is_transparent()) {
+      terms.is_transparent = true;
       terms.tau = v.color * v.refract;
       // What is mirrored does not pass.
       if (v.fresnel)

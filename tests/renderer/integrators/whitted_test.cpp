@@ -270,6 +270,19 @@ TEST_CASE("whitted: a pane that is clear by a pattern lets light by there, and b
   CHECK(asked.radiance({0.5, 3, 0.5}, {0, -1, 0}) == black);
 }
 
+TEST_CASE("whitted: what a patterned pane lets by does not depend on what its mirror meets before") {
+  SceneBuilder k;
+  scene::Material pane = no_light(), ceiling = no_light();
+  pane.refract = k.checker(grey(1), grey(0)), pane.reflect = grey(0.5);
+  ceiling.color = k.checker(black, black);
+  k.add(k.plane({0, 1, 0}, 0).with(k.material(pane)));
+  k.add(k.plane({0, 1, 0}, -2).with(k.glow(0.25)));
+  k.add(k.plane({0, 1, 0}, 3).with(k.material(ceiling)));
+  Asked asked(k);
+  CHECK(asked.radiance({0.5, 1, 0.5}, {0, -1, 0}) == grey(0.25)); // and half of the black ceiling
+  CHECK(asked.radiance({1.5, 1, 0.5}, {0, -1, 0}) == black);
+}
+
 TEST_CASE("whitted: highlights and mirrors that come and go by a pattern") {
   SceneBuilder shiny, mirror;
   scene::Material m = no_light();

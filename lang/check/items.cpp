@@ -134,8 +134,9 @@ DeclarationId ItemChecker::declare(const Unit& unit, NodeId name, NodeId item, D
 // The name that a line in error was to declare is known, so that its uses are not reported as well.
 void ItemChecker::declare_error(Unit& unit, NodeId item) {
   const Symbol symbol = unit.ast.error_name(item);
-  if (symbol == no_symbol) return;
   Span span = unit.ast.span(item);
+  if (context_.program.references.is_kept()) names_.refer_to_names(span);
+  if (symbol == no_symbol) return;
   Binding& binding = scopes_.declare(symbol, span, Meaning::error);
   const std::size_t at = context_.text(span).find(context_.name(symbol));
   if (at == std::string_view::npos) return;

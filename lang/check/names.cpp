@@ -4,9 +4,11 @@
 #include "lang/check/check.hpp"
 #include "lang/check/errors/dialects.hpp"
 #include "lang/check/errors/name_errors.hpp"
+#include "lang/text/tokens.hpp"
 #include "lang/values/css_colors.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rt::lang {
 
@@ -73,6 +75,29 @@ std::optional<StaticType> NameResolver::resolve_question(Unit& unit, NodeId node
   known.what = StaticType::What::builtin, known.builtin = &questions()[*question];
   context_.program.references.add(unit.ast.span(node), known.builtin);
   return known;
+}
+
+void NameResolver::refer_to_names(Span span) {
+  Program& program = context_.program;
+  const std::string_view text = context_.text(span);
+  std::string_view before;
+  for (std::uint32_t at = 0;;) {
+    const Token token = next_token(text, at);
+    if (token.kind == TokenKind::end) return;
+    at = token.end;
+    const std::string_view word = text_of(text, token);
+    const bool is_member = std::exchange(before, word) == ".";
+    if (token.kind != TokenKind::name || is_member) continue;
+    const Span place{span.file, span.begin + token.begin, span.begin + token.end};
+    const Symbol symbol = program.symbols.find(word);
+    if (const Binding* binding = symbol == no_symbol ? nullptr : scopes_.find(symbol)) {
+      if (binding->declaration != no_declaration) program.references.add(place, binding->declaration);
+    } else if (const NodeType* type = program.types.find(word)) {
+      program.references.add(place, type);
+    } else if (const auto builtin = find_builtin(word)) {
+      program.references.add(place, all_builtins()[*builtin]);
+    }
+  }
 }
 
 void NameResolver::note_use(Symbol symbol, const Binding* binding) {

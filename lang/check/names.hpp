@@ -21,6 +21,9 @@ public:
   /// The same for a question, which is known inside `expect` only; nothing where the name is none there.
   std::optional<StaticType> resolve_question(Unit& unit, NodeId name);
 
+  /// Keeps as references the names of a text that is in error, and so was not read. Nothing is reported.
+  void refer_to_names(Span text);
+
   /// The name whose right side is read: it has no value there.
   struct BeingBound {
     Symbol name = no_symbol;

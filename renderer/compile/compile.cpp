@@ -37,9 +37,9 @@ std::vector<std::span<const scene::Object>> outside_of(std::span<const Part> par
 class Compiler {
 public:
   Compiler(CompiledObjects& compiled, const scene::Scene& scene, std::span<const scene::Object> objects,
-           const bvh::Device& device, MaterialBindings& bindings, std::span<const Part> parts)
+           const bvh::Device& device, MaterialBindings& bindings, std::span<const Part> parts, HitRules rules)
       : compiled_(compiled), device_(device), bindings_(bindings), scene_(scene), objects_(objects), parts_(parts),
-        instancing_(scene, outside_of(parts, objects)), csg_builder_(scene, device, bindings),
+        rules_(rules), instancing_(scene, to_be_shared()), csg_builder_(scene, device, bindings, rules),
         group_aggregates_(scene.shapes.all<scene::Group>().size()),
         shared_solids_(scene.shapes.all<scene::Combination>().size()) {}
 
@@ -50,6 +50,11 @@ public:
   }
 
 private:
+  // POV-Ray shares nothing: its bounding boxes are those of the copies.
+  std::vector<std::span<const scene::Object>> to_be_shared() const {
+    return rules_ == HitRules::povray ? std::vector<std::span<const scene::Object>>{} : outside_of(parts_, objects_);
+  }
+
   const Aggregate* compile(std::span<const scene::Object> objects, BindingId binding, bool is_root = false) {
     compiled_.aggregates.push_back(std::make_unique<Aggregate>());
     Aggregate& aggregate = *compiled_.aggregates.back();
@@ -101,7 +106,7 @@ private:
       else if constexpr (std::is_same_v<S, scene::Combination>)
         add_solid(object, shape, map, tag);
       else
-        for_each_geometry(shape, [&](const auto& own) { builder_->add_shape(own, map, tag); });
+        for_each_geometry(shape, rules_, [&](const auto& own) { builder_->add_shape(own, map, tag); });
     });
   }
 
@@ -146,6 +151,7 @@ private:
   const scene::Scene& scene_;
   std::span<const scene::Object> objects_;
   std::span<const Part> parts_;
+  HitRules rules_;
   Instancing instancing_;
   CsgBuilder csg_builder_;
   std::vector<const Aggregate*> group_aggregates_; // by group
@@ -160,10 +166,11 @@ private:
 std::shared_ptr<const CompiledObjects> compile(const scene::Scene& scene, std::span<const scene::Object> objects,
                                                const bvh::Device& device, MaterialBindings& bindings,
                                                std::span<const Part> parts,
-                                               std::vector<std::shared_ptr<const CompiledObjects>> ready) {
+                                               std::vector<std::shared_ptr<const CompiledObjects>> ready,
+                                               HitRules rules) {
   const auto compiled = std::make_shared<CompiledObjects>();
   compiled->parts = std::move(ready);
-  Compiler(*compiled, scene, objects, device, bindings, parts).run();
+  Compiler(*compiled, scene, objects, device, bindings, parts, rules).run();
   return compiled;
 }
 

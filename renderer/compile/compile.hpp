@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/bvh/bvh.hpp"
+#include "renderer/compile/hit_rules.hpp"
 #include "renderer/compile/material_bindings.hpp"
 
 #include <cstdint>
@@ -26,7 +27,8 @@ struct Part {
 std::shared_ptr<const CompiledObjects> compile(const scene::Scene& scene, std::span<const scene::Object> objects,
                                                const bvh::Device& device, MaterialBindings& bindings,
                                                std::span<const Part> parts = {},
-                                               std::vector<std::shared_ptr<const CompiledObjects>> ready = {});
+                                               std::vector<std::shared_ptr<const CompiledObjects>> ready = {},
+                                               HitRules rules = HitRules::own);
 
 /// What is kept from one compilation of a growing scene to the next. The scene's tables (shapes, materials, patterns,
 /// transforms) may only grow as long as a cache is used with it, and what was compiled before with a cache must not be

@@ -63,12 +63,12 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 } // namespace
 
-CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder)
+CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder, HitRules rules)
     : device_(std::make_shared<bvh::Device>(threads, builder)), background_(scene.background), ambient_(scene.ambient),
       max_depth_(scene.max_depth) {
   const auto bindings = std::make_shared<MaterialBindings>(validated(scene));
   bindings_ = bindings;
-  objects_ = compile(scene, scene.objects, *device_, *bindings);
+  objects_ = compile(scene, scene.objects, *device_, *bindings, {}, {}, rules);
   root_ = &objects_->root();
   add_lights(scene);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/bvh/bvh.hpp"
+#include "renderer/compile/hit_rules.hpp"
 #include "renderer/compile/ray_hit.hpp"
 #include "renderer/shading/lights.hpp"
 #include "renderer/shading/media.hpp"
@@ -44,7 +45,8 @@ class CompiledScene {
 public:
   /// `threads` to build with, 0: one for each core. The description need not outlive it. Throws std::bad_alloc or
   /// std::runtime_error when the acceleration structure cannot be built.
-  CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder = bvh::default_builder);
+  CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder = bvh::default_builder,
+                HitRules rules = HitRules::own);
   /// The same pictures, but with a tree of its own for each part of the scene's list, which is only built where the
   /// cache does not have it. `parts` are in the order of the list and do not overlap.
   CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache);

@@ -108,8 +108,8 @@ private:
 class CsgBuilder {
 public:
   /// All must outlive the builder.
-  CsgBuilder(const scene::Scene& scene, const bvh::Device& device, MaterialBindings& bindings)
-      : scene_(scene), device_(device), bindings_(bindings) {}
+  CsgBuilder(const scene::Scene& scene, const bvh::Device& device, MaterialBindings& bindings, HitRules rules)
+      : scene_(scene), device_(device), bindings_(bindings), rules_(rules) {}
 
   /// `map` leads from the combination's space to the one that the solid is to stand in.
   CsgSolid build(const scene::Combination& combination, const Affine& map);
@@ -124,6 +124,7 @@ private:
   const scene::Scene& scene_;
   const bvh::Device& device_;
   MaterialBindings& bindings_;
+  HitRules rules_;
 };
 
 } // namespace rt

@@ -99,11 +99,11 @@ void CsgBuilder::add_operand(CsgSolid& solid, const ListFrame& frame, const scen
   };
   scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {
     if constexpr (!scene::is_composite<S>) {
-      using G = GeometryOf<S>;
-      if constexpr (Solidlike<G>) {
-        const G own = geometry(shape);
-        if (const std::optional<G> here = placed(own, map)) return add(Baked<G>{*here});
-        add(Transformed<G>{own, map, scene::inverse_of_nested(map)});
+      if constexpr (Solidlike<GeometryOf<S>>) {
+        for_each_geometry(shape, rules_, [&]<class G>(const G& own) {
+          if (const std::optional<G> here = placed(own, map)) return add(Baked<G>{*here});
+          add(Transformed<G>{own, map, scene::inverse_of_nested(map)});
+        });
       }
     }
   });

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "renderer/compile/hit_rules.hpp"
 #include "renderer/compile/placed_shape.hpp"
+#include "renderer/compile/povray_box.hpp"
 #include "renderer/compile/smooth_triangle.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -43,7 +45,7 @@ template <class List>
 struct GeometriesOf;
 template <class... S>
 struct GeometriesOf<scene::TypeList<S...>> {
-  using Type = Joined<typename GeometryOfShape<S>::Type..., std::tuple<SmoothTriangleGeometry>>;
+  using Type = Joined<typename GeometryOfShape<S>::Type..., std::tuple<SmoothTriangleGeometry, PovrayBoxGeometry>>;
 };
 
 template <class Tuple>
@@ -58,7 +60,7 @@ struct OperandsOf<std::tuple<G...>> {
 
 } // namespace detail
 
-/// The geometry of every shape, and the triangle with normals of its own.
+/// The geometry of every shape, the triangle with normals of its own, and POV-Ray's box.
 using Geometries = detail::GeometriesOf<scene::ShapeKinds>::Type;
 
 /// A shape of any kind that has an inside, placed in either way.
@@ -66,7 +68,10 @@ using SolidShape = detail::OperandsOf<Geometries>::Type;
 
 /// Calls `add` with each of the geometries that the shape is traced as. Together they are one object.
 template <class S, class Add>
-void for_each_geometry(const S& shape, Add&& add) {
+void for_each_geometry(const S& shape, HitRules rules, Add&& add) {
+  if constexpr (std::is_same_v<S, scene::Box>) {
+    if (rules == HitRules::povray) return add(PovrayBoxGeometry{geometry(shape)});
+  }
   if constexpr (std::is_same_v<S, scene::Triangle>) {
     const auto& n = shape.normals;
     if (n.size() == 3) return add(SmoothTriangleGeometry{geometry(shape), {n[0], n[1], n[2]}});

@@ -36,7 +36,7 @@ struct OwnRules {
   }
 
   /// How the ratio of two indices is rounded: not at all.
-  static double eta(const MediumTransition& transition, bool /*touches_void*/) { return transition.eta(); }
+  static double eta(double ratio, bool /*touches_void*/) { return ratio; }
 };
 
 /// POV-Ray's, for explaining where its pictures differ from ours. Its distances are in lengths of the scene.
@@ -56,9 +56,7 @@ struct PovrayRules {
   }
 
   /// Between two solids in 32 bits, between a solid and the void in 64.
-  static double eta(const MediumTransition& transition, bool touches_void) {
-    return touches_void ? transition.eta() : static_cast<float>(transition.eta());
-  }
+  static double eta(double ratio, bool touches_void) { return touches_void ? ratio : static_cast<float>(ratio); }
 };
 
 } // namespace rt

@@ -71,9 +71,11 @@ public:
     double fresnel_eta = 1;
     if (at.bsdf.is_transparent()) {
       s.transition = media.transition(inside, s.medium);
-      s.eta = Rules::eta(s.transition, touches_void(s.transition, inside));
+      s.eta = Rules::eta(s.transition.eta(), touches_void(s.transition, inside));
     }
-    if (at.bsdf.is_mirror() && v.fresnel) fresnel_eta = media.fresnel_eta(inside, s.medium);
+    if (at.bsdf.is_mirror() && v.fresnel)
+      fresnel_eta =
+          Rules::eta(media.fresnel_eta(inside, s.medium), touches_void(media.transition(inside, s.medium), inside));
     s.terms = at.bsdf.specular(at.cosine, s.eta, fresnel_eta);
     if (at.bsdf.is_mirror() && !s.terms.is_total)
       recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);

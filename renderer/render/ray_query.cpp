@@ -4,8 +4,8 @@
 
 namespace rt {
 
-RayQuery::RayQuery(const scene::Scene& scene, int threads)
-    : scene_(scene, threads), camera_(scene.camera, scene.size), sampler_(scene.samples) {}
+RayQuery::RayQuery(const scene::Scene& scene, int threads, HitRules rules)
+    : scene_(scene, threads, bvh::default_builder, rules), camera_(scene.camera, scene.size), sampler_(scene.samples) {}
 
 std::optional<HitReport> RayQuery::nearest(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;

@@ -25,7 +25,7 @@ class RayQuery {
 public:
   /// `threads` to build with, 0: one for each core. The description need not outlive the query. Throws std::bad_alloc
   /// or std::runtime_error when the acceleration structure cannot be built.
-  explicit RayQuery(const scene::Scene& scene, int threads = 0);
+  explicit RayQuery(const scene::Scene& scene, int threads = 0, HitRules rules = HitRules::own);
 
   /// The scene's camera: its rays through any point of the picture and for the samples of a pixel.
   const CameraRays& camera() const { return camera_; }

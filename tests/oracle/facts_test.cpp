@@ -1,4 +1,7 @@
+#include "renderer/shading/optics.hpp"
 #include "tests/oracle/live.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -173,6 +176,58 @@ TEST_CASE("fact: a blocker counts from 1e-3 of the surface on, and from 1e-3 of 
   // A pane of 4e-4 has but one surface, a box two.
   CHECK(lit(pane("1", "rgbf <0.5, 0.5, 0.5, 1>")) == Approx(open * 0.5).epsilon(1e-6));
   CHECK(lit("box { <-1, 1, -1>, <1, 2, 1> pigment { rgbf <0.5, 0.5, 0.5, 1> } }") == Approx(open * 0.25).epsilon(1e-6));
+}
+
+TEST_CASE("fact: Fresnel's equations get the ratio of two solids' indices in 32 bits") {
+  // From glass into air, 1e-6 in g² before total reflection: there the last digits of the ratio count ten-thousandfold.
+  const double cosine = std::sqrt(1 + 1e-6 - 4.0 / 9), sine = std::sqrt(1 - cosine * cosine);
+  const std::string glass = " pigment { rgbf 1 } finish { ambient 0 diffuse 0 ", air = "interior { ior 1 } }\n";
+  const float mirrored = centre(
+      fmt::format("camera {{ location -z*5 direction <{}, 0, {}> right x*1e-9 up y*1e-9 }}\n", sine, cosine) +
+          "sphere { 0, 1000" + glass + "} interior { ior 1.5 } }\nbox { <-100, -100, 0>, <100, 100, 1>" + glass +
+          "reflection { rgb 0, rgb 1 fresnel on } } " + air + "box { <-500, -500, -11>, <500, 500, -10>" + glow + "}",
+      "8");
+  CHECK(mirrored == Approx(fresnel_reflectance(cosine, 1.0f / 1.5f)).margin(5e-6));
+  CHECK(std::abs(mirrored - fresnel_reflectance(cosine, 1 / 1.5)) > 1e-4);
+}
+
+namespace {
+
+// The box between 0 and 1, met 5 from the camera at x = 0 and y = `off`, along a ray in the plane of x and y.
+float box_edge(double x, double y, double off, const std::string& look) {
+  return centre(fmt::format("camera {{ location <{}, {}, 0.5> direction <{}, {}, 0> right z up <{}, {}, 0> }}\n",
+                            -5 * x, off - 5 * y, x, y, -y, x) +
+                "light_source { -x*100, rgb 1 parallel point_at 0 shadowless }\nbox { 0, 1 " + look + " }");
+}
+const std::string matt = "pigment { rgb 1 } finish { ambient 0 diffuse 1 }";
+
+} // namespace
+
+TEST_CASE("fact: faces of a box met within 1e-6 of one another are met at once, on the one met more steeply") {
+  // The light falls on the face x = 0 alone. The ray enters there, 7e-7 above the edge, and crossed y = 0 a moment ago.
+  CHECK(box_edge(0.6, 0.8, 7e-7, matt) == 0);
+  CHECK(box_edge(0.6, 0.8, 1e-6, matt) == 1);
+  // It enters through y = 0, having crossed x = 0 a moment ago.
+  CHECK(box_edge(0.8, 0.6, -5e-7, matt) == 1);
+  CHECK(box_edge(0.8, 0.6, -7e-7, matt) == 0);
+  // The distance is that of the plane x = 0, which is looked at first: not of x = 5e-7 · 0.8 / 0.6.
+  const std::string ruler =
+      "pigment { function { max(0, min(1, x*1e6 + 0.1)) } color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 0 "
+      "diffuse 0 emission 1 }";
+  CHECK(box_edge(0.8, 0.6, -5e-7, ruler) == Approx(0.1).margin(1e-6));
+  CHECK(box_edge(0.8, 0.6, -7e-7, ruler) == 1);
+}
+
+TEST_CASE("fact: among several things a box is missed where a ray cuts off less than its bounding box has digits") {
+  // 1e-6 of the ray's 24 is in the box; bounding boxes are looked at in 32 bits, and only where there is more than one.
+  const std::string corner = "camera { location <13, 11, 17> direction <-0.47964633530265394, -0.33752297627874556, "
+                             "-0.8099491548947202> right x*1e-3 up y*1e-3 }\n";
+  const std::string others = "sphere { x*50, 1 } sphere { x*54, 1 } sphere { x*58, 1 } sphere { x*62, 1 }";
+  const std::string straight = "box { <0.53, -1, -2.47>, <1.47, 3.0353615262336637, -1.53>",
+                    turned = "box { <1.53, -1, 0.53>, <2.47, 3.0353615262336637, 1.47>";
+  CHECK(centre(corner + straight + glow + "}") == 1);
+  CHECK(centre(corner + straight + glow + "}\n" + others) == 0);
+  CHECK(centre(corner + turned + glow + "rotate y*90 }\n" + others) == 0);
 }
 
 TEST_CASE("fact: hits nearer than 1e-4 and farther than 1e7 do not count") {

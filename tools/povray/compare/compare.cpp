@@ -74,40 +74,62 @@ private:
     result_.color_error[i] = static_cast<float>(o.color_error);
     result_.depth_error[i] = static_cast<float>(o.depth_error);
     result_.normal_error[i] = static_cast<float>(o.normal_error);
-    if (is_same && is_equal && o.depth_error <= gates_.depth && o.normal_error <= gates_.normals) return;
-
-    o.cause = is_same ? surface_cause(o) : edge_cause(o);
-    if (!is_same) {
-      ++result_.id_mismatches;
-      result_.ids_unexplained += !is_explained(o.cause);
+    const bool has_same_surface = is_same && o.depth_error <= gates_.depth && o.normal_error <= gates_.normals;
+    if (!has_same_surface) explain_surface(i, o);
+    if (has_same_surface || !is_explained(o.cause)) {
+      result_.depth_max = std::max(result_.depth_max, o.depth_error);
+      result_.normal_max = std::max(result_.normal_max, o.normal_error);
     }
-    if (!is_equal) {
-      o.is_traced_again = true;
-      o.again = retracer_.color(x, y);
-      if (!shots_.is_float) o.again = clamped(o.again);
-      explain_color(o, is_same && !is_geometric(o.cause));
-    }
-    result_.outliers.push_back(o);
+    if (!is_equal) explain_color(o);
+    if (!has_same_surface || !is_equal) result_.outliers.push_back(o);
   }
 
-  void explain_color(Outlier& o, bool may_be_shading) {
+  void explain_surface(std::size_t i, Outlier& o) {
+    const bool is_same = o.our_id == o.their_id;
+    if (differs_by_rules(i, o))
+      o.cause = Cause::tolerance;
+    else if (is_same)
+      o.cause = o.depth_error > gates_.depth ? Cause::depth : Cause::normal;
+    else
+      o.cause = edge_cause(o);
+    if (is_same) return;
+    ++result_.id_mismatches;
+    result_.ids_unexplained += !is_explained(o.cause);
+  }
+
+  // Whether our rules lead to our object, distance and normal, POV-Ray's to its own, and the ways part by no more than
+  // the rules differ.
+  bool differs_by_rules(std::size_t i, const Outlier& o) {
+    const CenterHit ours = retracer_.hit(o.x, o.y, HitRules::own);
+    const CenterHit theirs = retracer_.hit(o.x, o.y, HitRules::povray);
+    return is_shown(ours, o.our_id, film_.depth[i], film_.normal[i]) &&
+           is_shown(theirs, o.their_id, shots_.depth[i], shots_.normal[i]) &&
+           retracer_.is_within_reach(o.x, o.y, ours, theirs);
+  }
+
+  bool is_shown(const CenterHit& hit, std::uint32_t id, double depth, const Xyz32& normal) const {
+    if (hit.id != id || hit.id == 0) return hit.id == id;
+    return relative(hit.distance, depth) <= gates_.depth &&
+           (!result_.has_normals || angle(hit.normal, to_vec(normal)) <= gates_.normals);
+  }
+
+  void explain_color(Outlier& o) {
+    o.is_traced_again = true;
+    o.again = retracer_.color(o.x, o.y);
+    if (!shots_.is_float) o.again = clamped(o.again);
     const bool agrees = color_difference(o.again, o.theirs) <= gates_.color;
     const bool is_unstable = !agrees && shots_.is_float && retracer_.is_unstable(o.x, o.y, o.theirs, gates_.color);
     result_.color_unexplained += !agrees && !is_unstable;
     result_.color_unstable += is_unstable;
-    if (may_be_shading && (agrees || is_unstable)) o.cause = agrees ? Cause::tolerance : Cause::rounding;
+    if (o.cause == Cause::shading && (agrees || is_unstable)) o.cause = agrees ? Cause::tolerance : Cause::rounding;
+    if (o.cause == Cause::tolerance && !agrees && !is_unstable) o.cause = Cause::shading;
   }
-
-  static bool is_geometric(Cause cause) { return cause == Cause::depth || cause == Cause::normal; }
 
   void geometry(std::size_t i, Outlier& o) {
     o.depth_error = relative(film_.depth[i], shots_.depth[i]);
     depths_.push_back(o.depth_error);
     result_.depths_beyond_p999 += o.depth_error > gates_.depth_p999;
-    result_.depth_max = std::max(result_.depth_max, o.depth_error);
-    if (!result_.has_normals) return;
-    o.normal_error = angle(to_vec(film_.normal[i]), to_vec(shots_.normal[i]));
-    result_.normal_max = std::max(result_.normal_max, o.normal_error);
+    if (result_.has_normals) o.normal_error = angle(to_vec(film_.normal[i]), to_vec(shots_.normal[i]));
   }
 
   void count_color(const Outlier& o, bool is_equal) {
@@ -119,13 +141,7 @@ private:
     result_.color_max_y = o.y;
   }
 
-  Cause surface_cause(const Outlier& o) const {
-    if (o.depth_error > gates_.depth) return Cause::depth;
-    return o.normal_error > gates_.normals ? Cause::normal : Cause::shading;
-  }
-
   Cause edge_cause(const Outlier& o) {
-    if (retracer_.hit_with_povray_limits(o.x, o.y) == o.their_id) return Cause::tolerance;
     if (retracer_.is_hit_beside(o.x, o.y, o.their_id)) return Cause::tangency;
     if (retracer_.is_hit_behind(o.x, o.y, o.their_id)) return Cause::coincidence;
     return Cause::edge;
@@ -163,9 +179,9 @@ Comparison compare(const scene::Scene& scene, const Film& film, const Shots& sho
 std::array<GateName, 7> gate_names() {
   return {{
       {"ids", &Gates::ids, "pixels with another object, unexplained"},
-      {"depth", &Gates::depth, "distance, largest relative difference"},
+      {"depth", &Gates::depth, "distance, largest relative difference, unexplained"},
       {"depth_p999", &Gates::depth_p999, "distance, 99.9th percentile"},
-      {"normals", &Gates::normals, "normals, largest angle (radians)"},
+      {"normals", &Gates::normals, "normals, largest angle (radians), unexplained"},
       {"color", &Gates::color, "colours nearer than this are equal"},
       {"color_share", &Gates::color_share, "share of pixels with equal colour"},
       {"color_unexplained", &Gates::color_unexplained, "pixels with another colour, unexplained"},

@@ -10,9 +10,9 @@ namespace rt::tools::povray {
 /// What has to hold. Each is a line of the table, and is set by its name with `--gate NAME=VALUE`.
 struct Gates {
   double ids = 0;            ///< at most so many unexplained pixels with another object
-  double depth = 1e-9;       ///< largest relative difference of distance
+  double depth = 1e-9;       ///< largest relative difference of distance, unexplained
   double depth_p999 = 1e-12; ///< the same, for 99.9 % of the pixels
-  double normals = 1e-6;     ///< largest angle between normals, radians
+  double normals = 1e-6;     ///< largest angle between normals, radians, unexplained
   double color = 1e-5;       ///< a colour within this of POV-Ray's (of 1, or of itself where it is brighter) is equal
   double color_share = 0.99; ///< at least this share of the pixels is equal, or all but one
   double color_unexplained = 0; ///< at most so many of the others have no explanation
@@ -34,7 +34,7 @@ enum class Cause : std::uint8_t {
   shading,     ///< only the colour differs
   tangency,    ///< explained: a ray 1e-9 beside this one meets the other object
   coincidence, ///< explained: the other object's surface is as near, within 1e-6
-  tolerance,   ///< explained: traced again with POV-Ray's own limits the pixel agrees
+  tolerance,   ///< explained: traced again by POV-Ray's own rules the pixel agrees
   rounding,    ///< explained: with rays turned by at most 1e-12 it agrees
 };
 const char* cause_name(Cause cause);
@@ -52,7 +52,7 @@ struct Outlier {
   double color_error = 0;  ///< as for `Gates::color`
   Rgb32 ours, theirs;
   bool is_traced_again = false;
-  Rgb32 again{}; ///< our colour with POV-Ray's limits, where that was needed
+  Rgb32 again{}; ///< our colour by POV-Ray's rules, where that was needed
 };
 
 struct Comparison {
@@ -62,9 +62,10 @@ struct Comparison {
   std::size_t pixels = 0;
   std::size_t id_mismatches = 0, ids_unexplained = 0;
   std::size_t depths = 0; ///< pixels in which both hit the same object
-  double depth_max = 0, depth_p999 = 0;
+  double depth_max = 0;   ///< of those that are not explained
+  double depth_p999 = 0;
   std::size_t depths_beyond_p999 = 0; ///< pixels whose error is above `Gates::depth_p999`
-  double normal_max = 0;
+  double normal_max = 0;              ///< of those that are not explained
   bool has_normals = true;
   std::size_t color_equal = 0;       ///< within `Gates::color`
   std::size_t color_within_8bit = 0; ///< within 1/255

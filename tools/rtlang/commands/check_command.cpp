@@ -68,7 +68,7 @@ Action declare_check(CLI::App& app) {
       "Renders the scene with both rtlang and POV-Ray 3.7, and compares for each pixel the object that its centre ray "
       "hits, the distance, the normal and the colour. The exit code is 0 if every gate holds, 1 if not, 3 if "
       "POV-Ray is not installed. Gates: ids, depth, depth_p999, normals, color, color_share, color_unexplained. "
-      "A pixel of a different colour counts as explained if it agrees once traced with POV-Ray's own limits; "
+      "A pixel that differs counts as explained if it agrees once traced by POV-Ray's own rules; "
       "unexplained ones are not allowed, and 99 % of the pixels have to be equal.");
   return [arguments] { return run_check(*arguments); };
 }

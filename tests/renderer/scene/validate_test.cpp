@@ -85,6 +85,11 @@ TEST_CASE("validate: every field keeps its constraint") {
   CHECK(broken(Kind::value, [](Scene& s) {
           s.materials[1].diffuse = Color{1, 1, nothing};
         }) == Paths{"materials[1].diffuse"});
+  // Every shininess is above 0: not what a pattern of white and black shows, nor one that holds that pattern.
+  CHECK(broken(Kind::value, [](Scene& s) { s.materials[0].shininess = PatternId{0}; }) ==
+        Paths{"materials[0].shininess"});
+  CHECK(broken(Kind::value, [](Scene& s) { s.materials[0].shininess = PatternId{1}; }) ==
+        Paths{"materials[0].shininess"});
   CHECK(broken(Kind::value, [](Scene& s) { std::get<Checker>(s.patterns[0].layout).b = grey(-1); }) ==
         Paths{"patterns[0].b"});
   CHECK(broken(Kind::value, [](Scene& s) { s.shapes.all<Sphere>()[0].radius = 0; }) ==

@@ -93,11 +93,12 @@ Diagnostic* Report::add(Severity severity, std::string_view code, Span span) {
   return &diagnostic;
 }
 
-void Report::add(Diagnostic diagnostic) {
+Diagnostic* Report::add(Diagnostic diagnostic) {
   Diagnostic* d = add(diagnostic.severity, diagnostic.code, diagnostic.span);
-  if (!d) return;
+  if (!d) return nullptr;
   diagnostic.span = d->span; // of the item that a model stands for
   *d = std::move(diagnostic);
+  return d;
 }
 
 Diagnostic* Report::remark(std::string_view code, Span span) {

@@ -24,7 +24,7 @@ public:
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
   /// The same, filled in.
-  void add(Diagnostic diagnostic);
+  Diagnostic* add(Diagnostic diagnostic);
   void error(std::string_view code, Span span, std::string message, std::string label = {},
              std::vector<Note> notes = {}) {
     add(make_error(code, span, std::move(message), std::move(label), std::move(notes)));

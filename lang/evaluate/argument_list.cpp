@@ -1,5 +1,7 @@
 #include "lang/evaluate/argument_list.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/expression_evaluator.hpp"
 #include "lang/values/properties.hpp"
 
@@ -88,15 +90,15 @@ bool ArgumentList::read(NodeId node, const Context& context, ExpressionEvaluator
       const std::string_view word = evaluation_.errors.name(ast.named(argument).symbol);
       i = static_cast<std::size_t>(std::ranges::find(signature_, word, &SignatureParameter::name) - signature_.begin());
       if (i == signature_.size()) {
-        evaluation_.errors.fail("E0208", ast.named_span(argument, evaluation_.program.symbols),
-                                fmt::format("`{}` has no parameter `{}`", name_, word));
+        evaluation_.errors.fail(errors::wrong_arguments(ast.named_span(argument, evaluation_.program.symbols),
+                                                        fmt::format("`{}` has no parameter `{}`", name_, word)));
         is_fine = false;
         continue;
       }
     } else if (++position > signature_.size() && !signature_.has_rest()) {
-      evaluation_.errors.fail("E0208", ast.span(argument),
-                              fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
-                              "one too many");
+      evaluation_.errors.fail(errors::wrong_arguments(
+          ast.span(argument), fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
+          "one too many"));
       return false;
     }
     is_fine &= put(i, std::move(value), ast.span(value_node));
@@ -106,9 +108,9 @@ bool ArgumentList::read(NodeId node, const Context& context, ExpressionEvaluator
 
 bool ArgumentList::take(std::vector<Value> values) {
   if (values.size() > signature_.size() && !signature_.has_rest()) {
-    evaluation_.errors.fail("E0208", place_,
-                            fmt::format("`{}` is called with {}, and takes at most {}", name_,
-                                        count_of_arguments(values.size()), signature_.size()));
+    evaluation_.errors.fail(
+        errors::wrong_arguments(place_, fmt::format("`{}` is called with {}, and takes at most {}", name_,
+                                                    count_of_arguments(values.size()), signature_.size())));
     return false;
   }
   bool is_fine = true;
@@ -119,7 +121,8 @@ bool ArgumentList::take(std::vector<Value> values) {
 bool ArgumentList::are_complete() {
   for (std::size_t i = 0; i < signature_.size(); ++i) {
     if (has(i) || signature_[i].is_optional) continue;
-    evaluation_.errors.fail("E0208", place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name));
+    evaluation_.errors.fail(
+        errors::wrong_arguments(place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name)));
     return false;
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -131,10 +134,11 @@ bool ArgumentList::are_complete() {
 bool ArgumentList::check_type(std::size_t i) {
   const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
   if (is_of(arguments[i], parameter)) return true;
-  evaluation_.errors.fail("E0309", place_of(i),
-                          fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
-                                      parameter.name, describe(arguments[i])),
-                          "this is " + describe(arguments[i]));
+  evaluation_.errors.fail(
+      errors::wrong_argument(place_of(i),
+                             fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
+                                         parameter.name, describe(arguments[i])),
+                             "this is " + describe(arguments[i])));
   return false;
 }
 
@@ -150,7 +154,7 @@ Value ArgumentList::call(const Value& function, std::vector<Value> function_argu
 }
 
 Value ArgumentList::fail(std::size_t argument, const std::string& message, const std::string& label) {
-  return evaluation_.errors.fail("E0310", place_of(argument), message, label);
+  return evaluation_.errors.fail(errors::no_result(place_of(argument), message, label));
 }
 
 void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {

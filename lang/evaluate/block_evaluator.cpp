@@ -1,5 +1,6 @@
 #include "lang/evaluate/block_evaluator.hpp"
 
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/thing_evaluator.hpp"
 
 #include <fmt/format.h>
@@ -139,13 +140,11 @@ void BlockEvaluator::put(const Value& value, Span place, Target& target) {
     break;
   }
   if (target.kind == Target::Kind::discarded) return;
-  if (Diagnostic* d = errors_.error("E0312", place)) {
-    d->message = fmt::format("nothing is done with this: it is {}", describe(value));
-    d->label = "a line holds a thing, a list of things or `none`";
-    if (value.is(ValueKind::boolean)) d->notes.push_back({std::nullopt, "to bind a name, write a single `=`"});
-    if (value.is(ValueKind::closure) || value.is(ValueKind::builtin))
-      d->notes.push_back({std::nullopt, "a function is called with ( )"});
-  }
+  std::string advice;
+  if (value.is(ValueKind::boolean)) advice = "to bind a name, write a single `=`";
+  if (value.is(ValueKind::closure) || value.is(ValueKind::builtin)) advice = "a function is called with ( )";
+  fail(errors::unused_value(place, fmt::format("nothing is done with this: it is {}", describe(value)),
+                            "a line holds a thing, a list of things or `none`", std::move(advice)));
 }
 
 void BlockEvaluator::put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context,

@@ -1,4 +1,5 @@
 #include "lang/check/errors/dialects.hpp"
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/block_evaluator.hpp"
 #include "lang/evaluate/thing_evaluator.hpp"
 
@@ -32,10 +33,9 @@ void BlockEvaluator::fail_unknown_property(const PropertyBlock& block, Symbol pr
     for (const FunctionInfo::Parameter& p : block.def->parameters) names.push_back(name(p.name));
   for (const Property& p : block.type->properties) names.push_back(p.name);
   const std::string whose = fmt::format("`{}`", block.def ? name(block.def->name) : block.type->name);
-  if (Diagnostic* d = errors_.error("E0204", place)) {
-    d->message = fmt::format("{} has no property `{}`", whose, name(property));
-    advise_on_property(*d, whose, name(property), *block.type, names);
-  }
+  Diagnostic error = errors::no_property(place, fmt::format("{} has no property `{}`", whose, name(property)), {});
+  advise_on_property(error, whose, name(property), *block.type, names);
+  fail(std::move(error));
 }
 
 // Whether a property is written twice, or in another form too; reports it.
@@ -45,13 +45,8 @@ bool BlockEvaluator::is_written(const PropertyBlock& block, std::uint16_t id, st
     const bool is_twice = other.id == id;
     const bool clashes = form(id) != 0 && form(other.id) != 0 && form(other.id) != form(id);
     if (!is_twice && !clashes) continue;
-    if (Diagnostic* d = errors_.error(is_twice ? "E0205" : "E0206", name_place)) {
-      d->message = is_twice ? fmt::format("`{}` is written twice", word)
-                            : fmt::format("`{}` and `{}` are two ways to say the same",
-                                          block.type->properties[other.id].name, word);
-      if (clashes) d->label = "leave one of them out";
-      d->notes.push_back({other.name, is_twice ? "first here" : "the other one is here"});
-    }
+    fail(is_twice ? errors::property_set_twice(name_place, word, other.name)
+                  : errors::two_forms(name_place, word, other.name, block.type->properties[other.id].name));
     return true;
   }
   return false;
@@ -65,8 +60,9 @@ void BlockEvaluator::set_property(PropertyBlock& block, std::uint16_t id, Value 
     value = things_.as_material(value.record(), place);
   if (is_written(block, id, word, name_place)) return;
   if (property) {
-    if (const auto mistake = check_value(*property, value)) {
-      errors_.tell(*mistake, place);
+    if (auto mistake = check_value(*property, value)) {
+      mistake->span = place;
+      fail(*std::move(mistake));
       value = Value::poison();
     }
     if (property->form != 0) { // the form that is written drops the inherited other one

@@ -1,6 +1,8 @@
 #include "lang/evaluate/call_evaluator.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/argument_list.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/expression_evaluator.hpp"
 
 #include <fmt/format.h>
@@ -41,10 +43,9 @@ Value CallEvaluator::call(const Value& callee, NodeId node, const Context& conte
   for (const NodeId argument : ast.call(node).arguments) // there may be mistakes in them
     expressions_.evaluate(ast.kind(argument) == Kind::argument ? ast.named(argument).value : argument, context);
   if (callee.is_poison()) return callee;
-  if (callee.is(ValueKind::thing))
-    return fail("E0209", ast.span(node), fmt::format("{} is a thing, and things take braces", describe(callee)),
-                "write `{ … }`");
-  return fail("E0306", ast.span(ast.call(node).callee), "only a function can be called", "this is " + describe(callee));
+  if (callee.is(ValueKind::thing)) return fail(errors::called_thing(ast.span(node), describe(callee), "write `{ … }`"));
+  return fail(errors::not_callable(ast.span(ast.call(node).callee), "only a function can be called",
+                                   "this is " + describe(callee)));
 }
 
 Value CallEvaluator::call_closure(const FunctionInfo& function, Frame* parent, NodeId node, const Context& context) {
@@ -68,11 +69,13 @@ bool CallEvaluator::pass_arguments(const FunctionInfo& function, Frame& frame, N
     }
     is_fine = false;
     if (!i)
-      fail("E0208", ast.named_span(argument, program_.symbols),
-           fmt::format("the function has no parameter `{}`", name(ast.named(argument).symbol)));
+      fail(
+          errors::wrong_arguments(ast.named_span(argument, program_.symbols),
+                                  fmt::format("the function has no parameter `{}`", name(ast.named(argument).symbol))));
     else
-      fail("E0208", ast.span(argument),
-           fmt::format("the function takes {}", count_of_arguments(function.parameters.size())), "one too many");
+      fail(errors::wrong_arguments(ast.span(argument),
+                                   fmt::format("the function takes {}", count_of_arguments(function.parameters.size())),
+                                   "one too many"));
   }
   return is_fine;
 }
@@ -92,10 +95,10 @@ bool CallEvaluator::fill_defaults(const FunctionInfo& function, Frame& frame, Sp
     Value& slot = frame[parameter.slot];
     if (!slot.is(ValueKind::unset)) continue;
     if (parameter.default_value == no_node) {
-      fail("E0208", place,
-           fmt::format("{} needs a value for `{}`",
-                       function.name == no_symbol ? "this function" : fmt::format("`{}`", name(function.name)),
-                       name(parameter.name)));
+      fail(errors::wrong_arguments(
+          place, fmt::format("{} needs a value for `{}`",
+                             function.name == no_symbol ? "this function" : fmt::format("`{}`", name(function.name)),
+                             name(parameter.name))));
       return false;
     }
     Value value = expressions_.evaluate(parameter.default_value, {function.unit, &frame});
@@ -108,12 +111,12 @@ bool CallEvaluator::fill_defaults(const FunctionInfo& function, Frame& frame, Sp
 Value CallEvaluator::call_function(const Value& callee, std::vector<Value> arguments, Span place) {
   if (callee.is(ValueKind::builtin)) return call_builtin_with(*callee.builtin(), std::move(arguments), place);
   if (!callee.is(ValueKind::closure))
-    return fail("E0306", place, "only a function can be called", "this is " + describe(callee));
+    return fail(errors::not_callable(place, "only a function can be called", "this is " + describe(callee)));
   const FunctionInfo& function = *callee.closure().function;
   if (arguments.size() > function.parameters.size()) {
-    return fail("E0208", place,
-                fmt::format("this function is called with {}, and takes {}", count_of_arguments(arguments.size()),
-                            function.parameters.size()));
+    return fail(
+        errors::wrong_arguments(place, fmt::format("this function is called with {}, and takes {}",
+                                                   count_of_arguments(arguments.size()), function.parameters.size())));
   }
   const FrameScope frame(evaluation_.frames, make_frame(heap_, callee.closure().parent, function.frame_size));
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -139,8 +142,9 @@ Value CallEvaluator::call_chain(const Value& base, const ChainMethod& method, No
   if (!arguments.read(node, context, expressions_)) return Value::poison();
   const Thing& thing = base.thing();
   if (!thing.type->has_chain())
-    return fail("E0409", place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
-                thing.type->category == Category::camera ? "a camera stands where `at` and `look_at` say" : "");
+    return fail(errors::not_movable(
+        place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
+        thing.type->category == Category::camera ? "a camera stands where `at` and `look_at` say" : ""));
   std::optional<scene::Step> step = method.function(arguments);
   if (!step) return Value::poison();
   return things_.moved(thing, *std::move(step), place);

@@ -20,11 +20,8 @@ class ErrorReporter {
 public:
   ErrorReporter(Report& report, const SymbolTable& symbols) : report_(report), symbols_(symbols) {}
 
-  /// The diagnostic to be filled in; null where nothing is to be said.
-  Diagnostic* error(std::string_view code, Span place);
-  /// Reports an error; poison, to be handed on.
-  Value fail(std::string_view code, Span place, std::string message, std::string label = {}, std::string advice = {});
-  void tell(const Mistake& mistake, Span place);
+  /// Reports an error, with the calls that led to it; poison, to be handed on.
+  Value fail(Diagnostic error);
 
   Report& report() { return report_; }
   std::string_view name(Symbol symbol) const { return symbols_.name(symbol); }

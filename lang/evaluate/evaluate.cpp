@@ -1,6 +1,7 @@
 #include "lang/evaluate/evaluate.hpp"
 
 #include "lang/evaluate/deep_stack.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/evaluator.hpp"
 #include "lang/values/css_colors.hpp"
 #include "renderer/scene/compact.hpp"
@@ -113,10 +114,9 @@ Value Evaluator::param_value(const Context& context, NodeId item) {
     const FrameScope frame(evaluation_.frames, make_frame(evaluation_.heap, library_, define->frame_size));
     value = expressions_.evaluate(define->unit->ast.root, {define->unit, frame.get()});
     if (!value.is_poison() && !otherwise.is_poison() && !are_alike(otherwise, value))
-      return evaluation_.errors.fail(
-          "E0605", place,
-          fmt::format("`{}` is {} in the scene", evaluation_.errors.name(define->name), describe(otherwise)),
-          "this is " + describe(value));
+      return evaluation_.errors.fail(errors::wrong_define(
+          place, fmt::format("`{}` is {} in the scene", evaluation_.errors.name(define->name), describe(otherwise)),
+          "this is " + describe(value)));
     if (otherwise.is(ValueKind::color) && !value.is_poison()) value = *as_color(value); // a number is a grey
   }
   return param.range == no_node ? value : within_range(value, place, param, context);
@@ -127,20 +127,20 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
   const Value range = expressions_.evaluate(param.range, context);
   if (value.is_poison() || range.is_poison()) return value;
   if (!range.is(ValueKind::range))
-    return evaluation_.errors.fail("E0304", ast.span(param.range), "the values that a `param` may have are a range",
-                                   "this is " + describe(range));
+    return evaluation_.errors.fail(errors::wrong_operand(
+        ast.span(param.range), "the values that a `param` may have are a range", "this is " + describe(range)));
   if (!value.is_number())
-    return evaluation_.errors.fail("E0606", place, "only a number can lie in a range", "this is " + describe(value));
+    return evaluation_.errors.fail(
+        errors::param_out_of_range(place, "only a number can lie in a range", "this is " + describe(value)));
   const RangeValue& r = range.range();
   const double low = std::min(r.from, r.to), high = std::max(r.from, r.to), x = value.number();
   const bool is_at_open_end = range.excludes_end() && x == r.to;
   if (x >= low && x <= high && !is_at_open_end) return value;
-  if (Diagnostic* d = evaluation_.errors.error("E0606", place)) {
-    d->message = fmt::format("`{}` is outside of its range", evaluation_.errors.name(ast.symbol(param.name)));
-    d->label = fmt::format("it must be in {}", program_.sources.text(ast.span(param.range)));
-    d->notes.push_back({ast.span(param.range), "the range is given here"});
-  }
-  return Value::poison();
+  Diagnostic error = errors::param_out_of_range(
+      place, fmt::format("`{}` is outside of its range", evaluation_.errors.name(ast.symbol(param.name))),
+      fmt::format("it must be in {}", program_.sources.text(ast.span(param.range))));
+  error.notes.push_back({ast.span(param.range), "the range is given here"});
+  return evaluation_.errors.fail(std::move(error));
 }
 
 void Evaluator::finish_scene() {
@@ -150,15 +150,13 @@ void Evaluator::finish_scene() {
   if (evaluation_.has_leftovers && expectation_list_.all().empty()) compact(scene_);
   for (std::size_t i = 0; i < program_.sources.size(); ++i)
     scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
-  const auto note = [&](std::string_view code, std::string message) {
-    if (Diagnostic* d = report_.add(Severity::note, code, {program_.main->ast.file, 0, 0}))
-      d->message = std::move(message);
-  };
-  if (!writer_.camera_place()) note("N0001", assume_camera(scene_, finite_bounds(scene_)));
+  const Span whole_scene{program_.main->ast.file, 0, 0};
+  if (!writer_.camera_place())
+    report_.add(errors::assumed_camera(whole_scene, assume_camera(scene_, finite_bounds(scene_))));
   const bool has_ambient = std::ranges::any_of(scene_properties_.values, [&](const PropertyValue& p) {
     return scene_properties_.type->properties[p.id].name == "ambient";
   });
-  if (scene_.lights.empty() && !has_ambient) note("N0002", assume_light(scene_));
+  if (scene_.lights.empty() && !has_ambient) report_.add(errors::assumed_light(whole_scene, assume_light(scene_)));
 }
 
 bool Evaluator::set_scene_properties() {
@@ -169,7 +167,7 @@ bool Evaluator::set_scene_properties() {
   Span place;
   for (const PropertyValue& p : scene_properties_.values)
     if (properties[p.id].name == problem->field) place = p.span;
-  evaluation_.errors.fail("E0407", place, problem->message, {}, problem->advice);
+  evaluation_.errors.fail(errors::properties_disagree(place, problem->message, {}, problem->advice));
   return false;
 }
 

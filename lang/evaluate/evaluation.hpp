@@ -46,9 +46,7 @@ protected:
         limits_(evaluation.limits) {}
   ~EvaluationPart() = default;
 
-  Value fail(std::string_view code, Span place, std::string message, std::string label = {}, std::string advice = {}) {
-    return errors_.fail(code, place, std::move(message), std::move(label), std::move(advice));
-  }
+  Value fail(Diagnostic error) { return errors_.fail(std::move(error)); }
   std::string_view name(Symbol symbol) const { return errors_.name(symbol); }
 
   Evaluation& evaluation_;

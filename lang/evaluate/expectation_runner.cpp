@@ -1,5 +1,6 @@
 #include "lang/evaluate/expectation_runner.hpp"
 
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
@@ -74,10 +75,8 @@ bool ExpectationRunner::holds(const Expectation& expectation) {
 
 void ExpectationRunner::fail_expectation(const Expectation& expectation, std::string message, std::string expected,
                                          std::string found) {
-  Diagnostic& d = outcome_.failures.emplace_back();
-  d.code = "E0701";
-  d.message = std::move(message);
-  d.span = expectation.unit->ast.span(expectation.node);
+  Diagnostic& d = outcome_.failures.emplace_back(
+      errors::expectation_fails(expectation.unit->ast.span(expectation.node), std::move(message)));
   if (!expected.empty()) d.notes.push_back({std::nullopt, "expected " + std::move(expected)});
   if (!found.empty()) d.notes.push_back({std::nullopt, "found " + std::move(found)});
   std::string turn;
@@ -112,8 +111,8 @@ std::optional<double> ExpectationRunner::tolerance_of(const ExpectItem& item, co
   const Value tolerance = expressions_.evaluate(item.tolerance, context);
   if (tolerance.is_number() && tolerance.number() >= 0) return tolerance.number();
   if (!tolerance.is_poison())
-    fail("E0304", context.ast().span(item.tolerance), "a tolerance is a number, 0 or more",
-         "this is " + describe(tolerance));
+    fail(errors::wrong_operand(context.ast().span(item.tolerance), "a tolerance is a number, 0 or more",
+                               "this is " + describe(tolerance)));
   return std::nullopt;
 }
 
@@ -144,11 +143,11 @@ bool ExpectationRunner::holds_sight(const Expectation& expectation, const Expect
   const auto tolerance = tolerance_of(item, context, t.is_number() ? tolerance_for({}, t.number()) : 0);
   if (query.is_poison() || thing.is_poison() || t.is_poison() || !tolerance) return false;
   if (item.other != no_node && !thing.is(ValueKind::thing) && !thing.is(ValueKind::string)) {
-    fail("E0304", ast.span(item.other), "what a ray hits is a thing", "this is " + describe(thing));
+    fail(errors::wrong_operand(ast.span(item.other), "what a ray hits is a thing", "this is " + describe(thing)));
     return false;
   }
   if (item.parameter != no_node && !t.is_number()) {
-    fail("E0304", ast.span(item.parameter), "`t` is a number", "this is " + describe(t));
+    fail(errors::wrong_operand(ast.span(item.parameter), "`t` is a number", "this is " + describe(t)));
     return false;
   }
   const std::vector<Value>& parts = query.items();
@@ -218,7 +217,8 @@ bool ExpectationRunner::is_alone(const Value& thing) const {
 // A scene of its own, because what is asked about need not stand in this one.
 const Observer* ExpectationRunner::observer_of(const Value& value, Span place) {
   if (!value.is(ValueKind::thing) || !value.thing().type->is_shape()) {
-    fail("E0304", place, "a ray is tested against a shape, a group or a solid", "this is " + describe(value));
+    fail(errors::wrong_operand(place, "a ray is tested against a shape, a group or a solid",
+                               "this is " + describe(value)));
     return nullptr;
   }
   if (is_alone(value)) return alone_.observer.get();

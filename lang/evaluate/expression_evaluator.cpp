@@ -1,6 +1,9 @@
 #include "lang/evaluate/expression_evaluator.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/values/css_colors.hpp"
+#include "lang/values/value_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -85,8 +88,9 @@ Value ExpressionEvaluator::name_value(NodeId node, const Context& context) {
   case Resolution::local: {
     const Value& value = (*outer(context.frame, frames_out(ast[node])))[index];
     if (!value.is(ValueKind::unset)) return value;
-    return fail("E0203", ast.span(node), fmt::format("`{}` has no value yet", name(ast.symbol(node))), "too early",
-                "a function may be called only after the lines that give the names in it their values");
+    return fail(errors::no_value_yet(
+        ast.span(node), fmt::format("`{}` has no value yet", name(ast.symbol(node))), "too early",
+        {{std::nullopt, "a function may be called only after the lines that give the names in it their values"}}));
   }
   case Resolution::function:
     return function_value(program_.functions[index], outer(context.frame, frames_out(ast[node])), ast.span(node));
@@ -209,15 +213,16 @@ Value ExpressionEvaluator::range_value(NodeId node, const Context& context) {
     else if (ast.kind(nodes[i]) == Kind::range)
       return Value::poison(); // the parser has said so
     else if (!value.is_poison())
-      fail("E0304", ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value));
+      fail(errors::wrong_operand(ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value)));
     is_poison |= !value.is_number();
   }
   if (is_poison) return Value::poison();
-  if (range.step == 0) return fail("E0311", ast.span(parts.step), "the step of a range must not be 0");
+  if (range.step == 0)
+    return fail(errors::range_stands_still(ast.span(parts.step), "the step of a range must not be 0"));
   for (std::size_t i = 0; i < 3; ++i) {
     if (nodes[i] != no_node && !std::isfinite(*numbers[i]))
-      return fail("E0303", ast.span(nodes[i]), "a range is made of finite numbers",
-                  "this is " + format_number(*numbers[i]));
+      return fail(errors::not_finite(ast.span(nodes[i]), "a range is made of finite numbers",
+                                     "this is " + format_number(*numbers[i])));
   }
   return Value::range(range, parts.excludes_end);
 }
@@ -227,7 +232,8 @@ bool ExpressionEvaluator::is_true(NodeId condition, const Context& context, bool
   if (value.is(ValueKind::boolean)) return value.truth();
   is_poison = true;
   if (!value.is_poison())
-    fail("E0305", context.ast().span(condition), "a condition is true or false", "this is " + describe(value));
+    fail(errors::no_condition(context.ast().span(condition), "a condition is true or false",
+                              "this is " + describe(value)));
   return false;
 }
 
@@ -337,7 +343,7 @@ bool ExpressionEvaluator::is_loop_head(const Value& head, NodeId node, const Con
   if (head.is_poison()) return false;
   const Span place = context.ast().span(node);
   if (!is_sequence(head)) {
-    fail("E0307", place, "`for` goes through a list or a range", "this is " + describe(head));
+    fail(errors::not_iterable(place, "`for` goes through a list or a range", "this is " + describe(head)));
     return false;
   }
   if (!head.is(ValueKind::range)) return true;
@@ -345,10 +351,7 @@ bool ExpressionEvaluator::is_loop_head(const Value& head, NodeId node, const Con
   limits_.spend_if_too_many(n, place);
   if (n == 0 && head.range().to < head.range().from && context.ast().kind(node) == Kind::range &&
       context.ast().range(node).step == no_node) {
-    if (Diagnostic* d = errors_.report().add(Severity::note, "N0003", place)) {
-      d->message = "this range is empty: it runs upwards, and its end lies below its beginning";
-      d->label = "to count down, write `by -1`";
-    }
+    errors_.report().add(errors::empty_range(place));
   }
   return true;
 }

@@ -1,3 +1,5 @@
+#include "lang/check/errors/shared_errors.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/expression_evaluator.hpp"
 #include "lang/text/suggest.hpp"
 
@@ -11,11 +13,11 @@ namespace rt::lang {
 Value ExpressionEvaluator::unknown_member(std::string message, std::string_view word, Span place,
                                           std::span<const std::string_view> names) {
   if (const auto guess = nearest(word, names))
-    return fail("E0212", place, std::move(message), fmt::format("did you mean `{}`?", *guess));
+    return fail(errors::no_member(place, std::move(message), fmt::format("did you mean `{}`?", *guess)));
   const bool is_function =
       std::ranges::any_of(all_builtins(), [&](const Builtin* builtin) { return builtin->name == word; });
-  return fail("E0212", place, std::move(message),
-              is_function ? fmt::format("a function stands in front: `{}(…)`", word) : "");
+  return fail(errors::no_member(place, std::move(message),
+                                is_function ? fmt::format("a function stands in front: `{}(…)`", word) : ""));
 }
 
 Value ExpressionEvaluator::index_value(NodeId node, const Context& context) {
@@ -25,17 +27,19 @@ Value ExpressionEvaluator::index_value(NodeId node, const Context& context) {
   const Value index = evaluate(parts.index, context);
   if (base.is_poison() || index.is_poison()) return Value::poison();
   if (!is_sequence(base))
-    return fail("E0304", ast.span(parts.base), "only a list has elements", "this is " + describe(base));
+    return fail(errors::wrong_operand(ast.span(parts.base), "only a list has elements", "this is " + describe(base)));
   if (!index.is_number())
-    return fail("E0304", ast.span(parts.index), "the place in a list is a number", "this is " + describe(index));
+    return fail(
+        errors::wrong_operand(ast.span(parts.index), "the place in a list is a number", "this is " + describe(index)));
   const double size =
       base.is(ValueKind::range) ? count(base.range(), base.excludes_end()) : static_cast<double>(sequence_size(base));
   const double i = index.number();
   if (i != std::floor(i))
-    return fail("E0308", ast.span(parts.index), "the place in a list is a whole number", "this is " + format_number(i));
+    return fail(errors::no_element(ast.span(parts.index), "the place in a list is a whole number",
+                                   "this is " + format_number(i)));
   if (!(i >= -size && i < size)) {
-    return fail("E0308", ast.span(parts.index), fmt::format("there is no element {}", format_number(i)),
-                fmt::format("the list has {}, counted from 0", format_number(size)));
+    return fail(errors::no_element(ast.span(parts.index), fmt::format("there is no element {}", format_number(i)),
+                                   fmt::format("the list has {}, counted from 0", format_number(size))));
   }
   return sequence_at(base, static_cast<std::size_t>(i < 0 ? i + size : i));
 }
@@ -93,23 +97,24 @@ Value ExpressionEvaluator::thing_member(const Thing& thing, NodeId node, const C
   if (thing.def) {
     if (const auto i = thing.def->find(symbol)) {
       if (const PropertyValue* found = thing.find(parameter_id(*i))) return found->value;
-      return fail("E0212", place, fmt::format("`{}` was not written for this thing", word),
-                  "only written parameters can be read");
+      return fail(errors::no_member(place, fmt::format("`{}` was not written for this thing", word),
+                                    "only written parameters can be read"));
     }
   }
   if (const auto id = thing.type->find(symbol)) {
     if (const PropertyValue* found = thing.find(*id)) return found->value;
     if (const auto value = default_value(*thing.type, thing.type->properties[*id])) return *value;
-    return fail("E0212", place, fmt::format("`{}` was not written for this thing", word), "it has no value");
+    return fail(errors::no_member(place, fmt::format("`{}` was not written for this thing", word), "it has no value"));
   }
   if (find_chain_method(word))
-    return fail("E0212", place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word));
+    return fail(
+        errors::no_member(place, fmt::format("`.{}` needs its arguments", word), fmt::format("write `.{}(…)`", word)));
   std::vector<std::string_view> names;
   for (const Property& property : thing.type->properties) names.push_back(property.name);
   const auto guess = nearest(word, names);
-  return fail("E0212", place,
-              fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
-              guess ? fmt::format("did you mean `{}`?", *guess) : "");
+  return fail(errors::no_member(
+      place, fmt::format("{} has no property `{}`", describe(Value(Ref<Thing>(const_cast<Thing*>(&thing)))), word),
+      guess ? fmt::format("did you mean `{}`?", *guess) : ""));
 }
 
 } // namespace rt::lang

@@ -1,5 +1,8 @@
 #include "lang/evaluate/limit_guard.hpp"
 
+#include "lang/check/errors/shared_errors.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,13 +18,13 @@ std::string amount(std::uint64_t bytes) {
 
 } // namespace
 
-void LimitGuard::end(std::string_view code, std::string message, std::string label, Span place) {
-  errors_.fail(code, place, std::move(message), std::move(label));
+void LimitGuard::end(Diagnostic error) {
+  errors_.fail(std::move(error));
   throw Ended{};
 }
 
-void LimitGuard::give_up(std::string_view code, std::string message, std::string label, Span place) {
-  errors_.fail(code, place, std::move(message), std::move(label));
+void LimitGuard::give_up(Diagnostic error) {
+  errors_.fail(std::move(error));
   throw TooDeep{};
 }
 
@@ -37,9 +40,10 @@ void LimitGuard::spend_if_too_many(double count, Span place) {
 
 void LimitGuard::look(Span place) {
   if (steps_ > limits_.steps)
-    end("E0501", fmt::format("this scene takes more than {} steps", limits_.steps),
-        "here it was stopped; `--max-steps` allows more", place);
-  if (stop_ && stop_->load(std::memory_order_relaxed)) end("E0505", "stopped", "evaluation had come to here", place);
+    end(errors::too_many_steps(place, fmt::format("this scene takes more than {} steps", limits_.steps),
+                               "here it was stopped; `--max-steps` allows more"));
+  if (stop_ && stop_->load(std::memory_order_relaxed))
+    end(errors::stopped(place, "stopped", "evaluation had come to here"));
   reserve(0, place);
   next_look_ = std::min(steps_ + steps_between_looks, limits_.steps + 1);
 }
@@ -54,21 +58,22 @@ std::uint64_t LimitGuard::bytes_in_use() const {
 
 void LimitGuard::reserve(std::uint64_t bytes, Span place) {
   if (bytes_in_use() + bytes <= limits_.memory_bytes) return;
-  end("E0504", fmt::format("this scene takes more than {} of memory", amount(limits_.memory_bytes)),
-      "here it was stopped; `--max-memory` allows more", place);
+  end(errors::too_much_memory(place,
+                              fmt::format("this scene takes more than {} of memory", amount(limits_.memory_bytes)),
+                              "here it was stopped; `--max-memory` allows more"));
 }
 
 void LimitGuard::count_objects(std::size_t count, Span place) {
   objects_ += count;
   if (objects_ <= limits_.objects) return;
-  end("E0503", fmt::format("this scene has more than {} objects", limits_.objects),
-      "here it was stopped; `--max-objects` allows more", place);
+  end(errors::too_many_objects(place, fmt::format("this scene has more than {} objects", limits_.objects),
+                               "here it was stopped; `--max-objects` allows more"));
 }
 
 void LimitGuard::check_depth(std::uint16_t depth, Span place) {
   if (depth <= most_depth) return;
-  give_up("E0506", fmt::format("things or lists are nested more than {} deep", most_depth), "here it was stopped",
-          place);
+  give_up(errors::too_deep(place, fmt::format("things or lists are nested more than {} deep", most_depth),
+                           "here it was stopped"));
 }
 
 void LimitGuard::enter_call(Span place) {
@@ -76,11 +81,11 @@ void LimitGuard::enter_call(Span place) {
   const char here = 0;
   const int depth = recursion_ + 1;
   if (depth > limits_.recursion)
-    give_up("E0502", fmt::format("calls are nested more than {} deep", limits_.recursion),
-            "does this call itself without end?", place);
+    give_up(errors::calls_too_deep(place, fmt::format("calls are nested more than {} deep", limits_.recursion),
+                                   "does this call itself without end?"));
   if (&here < stack_limit_)
-    give_up("E0502", fmt::format("calls are nested too deep: {} of them fill the stack", depth), "here it was stopped",
-            place);
+    give_up(errors::calls_too_deep(place, fmt::format("calls are nested too deep: {} of them fill the stack", depth),
+                                   "here it was stopped"));
   recursion_ = depth;
 }
 

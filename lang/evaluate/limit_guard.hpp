@@ -53,8 +53,8 @@ private:
   void look(Span place);
   void enter_call(Span place);
   std::uint64_t bytes_in_use() const;
-  [[noreturn]] void end(std::string_view code, std::string message, std::string label, Span place);
-  [[noreturn]] void give_up(std::string_view code, std::string message, std::string label, Span place);
+  [[noreturn]] void end(Diagnostic error);
+  [[noreturn]] void give_up(Diagnostic error);
 
   static constexpr std::uint16_t most_depth = 1'000;
 

@@ -1,5 +1,6 @@
 #include "lang/evaluate/operators.hpp"
 
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ double Operators::compute(Op op, double a, double b) {
 Value Operators::negative(const Value& value, Span place) {
   if (value.is_number()) return -value.number();
   if (value.is(ValueKind::vector)) return like(value, -value.vector());
-  return fail("E0304", place, fmt::format("`-` cannot be applied to {}", describe(value)));
+  return fail(errors::wrong_operand(place, fmt::format("`-` cannot be applied to {}", describe(value))));
 }
 
 Value Operators::binary(Op op, const Value& left, const Value& right, Span place) {
@@ -70,8 +71,8 @@ Value Operators::comparison(Op op, const Value& left, const Value& right, Span p
   };
   if (left.is_number() && right.is_number()) return compare(left.number(), right.number());
   if (left.is(ValueKind::string) && right.is(ValueKind::string)) return compare(left.text(), right.text());
-  return fail("E0304", place, fmt::format("`{}` compares two numbers or two strings", spelling(op)),
-              fmt::format("this is {} and {}", describe(left), describe(right)));
+  return fail(errors::wrong_operand(place, fmt::format("`{}` compares two numbers or two strings", spelling(op)),
+                                    fmt::format("this is {} and {}", describe(left), describe(right))));
 }
 
 Value Operators::arithmetic(Op op, const Value& left, const Value& right, Span place) {
@@ -97,8 +98,8 @@ Value Operators::vector_arithmetic(Op op, const Value& left, const Value& right,
   const bool both = left.is(ValueKind::vector) && right.is(ValueKind::vector);
   if (both) {
     if (left.vector_size() != right.vector_size())
-      return fail("E0304", place, fmt::format("`{}` needs two vectors of one size", spelling(op)),
-                  fmt::format("{} and {} numbers", left.vector_size(), right.vector_size()));
+      return fail(errors::wrong_operand(place, fmt::format("`{}` needs two vectors of one size", spelling(op)),
+                                        fmt::format("{} and {} numbers", left.vector_size(), right.vector_size())));
     if (op != Op::power && op != Op::modulo) return like(left, each(op, left.vector(), right.vector()));
     return wrong_operands(op, left, right, place);
   }
@@ -135,9 +136,9 @@ Value Operators::wrong_operands(Op op, const Value& left, const Value& right, Sp
   if (op == Op::add && left.is(ValueKind::thing)) advice = "`a | b` is the union of two solids";
   if (is_solid_operator(op) && (left.is(ValueKind::thing) || right.is(ValueKind::thing)))
     advice = "solids are combined with solids";
-  return fail("E0304", place,
-              fmt::format("`{}` cannot be applied to {} and {}", spelling(op), describe(left), describe(right)), {},
-              std::move(advice));
+  return fail(errors::wrong_operand(
+      place, fmt::format("`{}` cannot be applied to {} and {}", spelling(op), describe(left), describe(right)), {},
+      std::move(advice)));
 }
 
 } // namespace rt::lang

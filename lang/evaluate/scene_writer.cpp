@@ -1,6 +1,8 @@
 #include "lang/evaluate/scene_writer.hpp"
 
 #include "lang/check/lint/rules.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
+#include "lang/values/value_errors.hpp"
 #include "renderer/scene/media_conflicts.hpp"
 
 #include <fmt/format.h>
@@ -51,8 +53,8 @@ void SceneWriter::put(const ThingView& described, Target& target) {
     if (!target.properties) return; // the block of something in error
     const NodeType& owner = *target.properties->type;
     const std::string_view whose = target.properties->def ? name(target.properties->def->name) : owner.name;
-    fail("E0405", described.place, fmt::format("things cannot be put into `{}`", whose), {},
-         "a `group` and the combinations take things; other blocks hold properties only");
+    fail(errors::takes_no_things(described.place, fmt::format("things cannot be put into `{}`", whose), {},
+                                 "a `group` and the combinations take things; other blocks hold properties only"));
     return;
   }
   switch (type.category) {
@@ -67,9 +69,10 @@ void SceneWriter::put(const ThingView& described, Target& target) {
   default:
     break;
   }
-  fail("E0410", described.place, fmt::format("a {} is not placed: it belongs to a shape", type.name), {},
-       type.category == Category::material ? "keep it with `name = …`, or write it after `material:`"
-                                           : "write it after `material:`, or as a material's `color`");
+  fail(errors::not_placeable(described.place, fmt::format("a {} is not placed: it belongs to a shape", type.name), {},
+                             type.category == Category::material
+                                 ? "keep it with `name = …`, or write it after `material:`"
+                                 : "write it after `material:`, or as a material's `color`"));
 }
 
 bool SceneWriter::make(const ThingView& described, void* room) {
@@ -80,8 +83,8 @@ bool SceneWriter::make(const ThingView& described, void* room) {
   }
   const std::optional<scene::Problem> problem = type.maker.check(room);
   if (!problem) return true;
-  fail("E0407", place_of(described.properties, type, problem->field, described.place), problem->message, {},
-       problem->advice);
+  fail(errors::properties_disagree(place_of(described.properties, type, problem->field, described.place),
+                                   problem->message, {}, problem->advice));
   return false;
 }
 
@@ -122,7 +125,7 @@ ObjectAttributes SceneWriter::attributes_of(const ThingView& described) {
   apply(described.properties);
   for (std::size_t i = known_patterns; i < scene_.patterns.size(); ++i)
     if (flattens(scene_.patterns[i].placement))
-      fail("E0406", described.place, "a pattern on this thing is flattened, or stretched without end");
+      fail(errors::flattened(described.place, "a pattern on this thing is flattened, or stretched without end"));
   return attributes;
 }
 
@@ -132,7 +135,8 @@ bool SceneWriter::is_something(const ThingView& described) {
   const Content* inside = described.inside;
   const bool is_open_end = type.category == Category::combination && (!inside || inside->is_nothing) &&
                            type.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
-  if (is_open_end) fail("E0407", described.place, fmt::format("the block of this {} holds no solid", type.name));
+  if (is_open_end)
+    fail(errors::properties_disagree(described.place, fmt::format("the block of this {} holds no solid", type.name)));
   return !is_open_end && !(inside && is_poisoned(inside->defaults));
 }
 
@@ -175,8 +179,8 @@ void SceneWriter::add_object(const ThingView& described, const ObjectAttributes&
 }
 
 void SceneWriter::fail_flattened(Span place) {
-  fail("E0406", place,
-       "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite");
+  fail(errors::flattened(
+      place, "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite"));
 }
 
 std::optional<scene::ShapeRef> SceneWriter::content_shape(Content& content, const NodeType& type, Span place) {
@@ -222,21 +226,22 @@ bool SceneWriter::is_operand(const ThingView& described, scene::ShapeRef made) {
   const std::string_view open = builder_.open_part(made);
   if (open.empty()) return true;
   const bool is_itself = open == described.type->name;
-  fail("E0401", described.place,
-       is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
-                 : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined",
-                               open, described.type->name),
-       {},
-       "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of "
-       "these");
+  fail(errors::open_in_combination(
+      described.place,
+      is_itself ? fmt::format("this {} is open: it has no inside, so it cannot be combined", open)
+                : fmt::format("there is a {} in this {}, which is open: it has no inside, so it cannot be combined",
+                              open, described.type->name),
+      {},
+      "solids are: spheres, planes, boxes, closed or infinite cylinders, closed cones, and groups and combinations of "
+      "these"));
   return false;
 }
 
 void SceneWriter::put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
                                 Target& target) {
   if (target.is_combination()) {
-    fail("E0402", described.place,
-         fmt::format("there is a light in this {}, and light is no solid", described.type->name));
+    fail(errors::light_in_combination(
+        described.place, fmt::format("there is a light in this {}, and light is no solid", described.type->name)));
     return;
   }
   const bool is_placed = attributes.at != Vec3{} || attributes.rotate != Vec3{} || attributes.scale != Vec3{1, 1, 1} ||
@@ -255,7 +260,8 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
   ++target.things;
   const NodeType& type = *described.type;
   if (target.is_combination()) {
-    fail("E0402", described.place, fmt::format("a {} is no solid: it cannot be combined", type.name));
+    fail(errors::light_in_combination(described.place,
+                                      fmt::format("a {} is no solid: it cannot be combined", type.name)));
     return;
   }
   Room room(type.maker);
@@ -274,15 +280,12 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
 
 void SceneWriter::put_camera(const ThingView& described, Target& target) {
   if (target.kind != Target::Kind::scene) {
-    fail("E0403", described.place, "a camera stands at the top level, not inside a thing");
+    fail(errors::camera_in_thing(described.place, "a camera stands at the top level, not inside a thing"));
     return;
   }
   if (errors_.is_unsure()) return;
   if (camera_place_) {
-    if (Diagnostic* d = errors_.error("E0404", described.place)) {
-      d->message = "there is a camera already, and a scene has one";
-      d->notes.push_back({*camera_place_, "the first one is here"});
-    }
+    fail(errors::second_camera(described.place, *camera_place_));
     return;
   }
   camera_place_ = described.place;
@@ -295,11 +298,11 @@ void SceneWriter::put_camera(const ThingView& described, Target& target) {
 
 void SceneWriter::check_media(const std::vector<scene::Object>& objects) {
   for (const scene::MediaConflict& conflict : media_conflicts(scene_, objects)) {
-    fail("E0408", combination_places_[conflict.combination],
-         "the parts of this solid refract differently, and one solid is one medium",
-         fmt::format("`ior` is {} in one part and {} in another", format_number(conflict.first_ior),
-                     format_number(conflict.second_ior)),
-         "give the whole a material, or its parts the same `ior`");
+    fail(errors::media_disagree(combination_places_[conflict.combination],
+                                "the parts of this solid refract differently, and one solid is one medium",
+                                fmt::format("`ior` is {} in one part and {} in another",
+                                            format_number(conflict.first_ior), format_number(conflict.second_ior)),
+                                "give the whole a material, or its parts the same `ior`"));
   }
 }
 

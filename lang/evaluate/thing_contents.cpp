@@ -1,4 +1,5 @@
 #include "lang/evaluate/block_evaluator.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/thing_evaluator.hpp"
 #include "renderer/math/hashing.hpp"
 
@@ -64,7 +65,7 @@ void ThingEvaluator::add_operand(const Value& value, Span place, Target& target)
   if (value.is(ValueKind::thing)) {
     const Thing& thing = value.thing();
     if (thing.type->is_shape() || thing.type->category == Category::light) return put(thing, target);
-    fail("E0304", place, fmt::format("{} is no solid, so it cannot be combined", describe(value)));
+    fail(errors::wrong_operand(place, fmt::format("{} is no solid, so it cannot be combined", describe(value))));
     return;
   }
   // A list is the union of what is in it.

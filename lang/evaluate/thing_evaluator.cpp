@@ -1,7 +1,9 @@
 #include "lang/evaluate/thing_evaluator.hpp"
 
 #include "lang/check/errors/dialects.hpp"
+#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/block_evaluator.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -44,8 +46,9 @@ Value ThingEvaluator::override_value(NodeId node, const Context& context) {
   }
   if (base.is_poison()) return base;
   const bool is_named = base.is(ValueKind::closure) || base.is(ValueKind::builtin) || base.is(ValueKind::module);
-  return fail(is_named ? "E0210" : "E0304", context.ast().span(parts.base), "only a thing can be copied with changes",
-              "this is " + describe(base));
+  const Span place = context.ast().span(parts.base);
+  const std::string message = "only a thing can be copied with changes", label = "this is " + describe(base);
+  return fail(is_named ? errors::no_thing(place, message, label) : errors::wrong_operand(place, message, label));
 }
 
 void ThingEvaluator::simple_properties(NodeId node, const Context& context, const NodeType& type,
@@ -60,8 +63,9 @@ void ThingEvaluator::simple_properties(NodeId node, const Context& context, cons
     const Property& property = type.properties[p.id];
     if (property.type == PropertyType::material && p.value.is(ValueKind::record))
       p.value = as_material(p.value.record(), p.span);
-    if (const auto mistake = check_value(property, p.value)) {
-      errors_.tell(*mistake, p.span);
+    if (auto mistake = check_value(property, p.value)) {
+      mistake->span = p.span;
+      fail(*std::move(mistake));
       p.value = Value::poison();
     }
   }
@@ -135,7 +139,7 @@ Value ThingEvaluator::changed_record(const Record& base, NodeId node, const Cont
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     if (ast.kind(item) == Kind::error) return Value::poison();
     if (ast.kind(item) != Kind::property)
-      return fail("E0405", ast.span(item), "a record holds fields, and nothing else");
+      return fail(errors::takes_no_things(ast.span(item), "a record holds fields, and nothing else"));
     const Named field = ast.named(item);
     Record::RecordEntry entry{field.symbol, expressions_.evaluate(field.value, context), ast.span(field.value),
                               ast.named_span(item, program_.symbols)};
@@ -153,10 +157,9 @@ void ThingEvaluator::fail_unknown_material_property(const Record::RecordEntry& e
   const std::string_view word = name(entry.name);
   std::vector<std::string_view> names;
   for (const Property& property : type.properties) names.push_back(property.name);
-  if (Diagnostic* d = errors_.error("E0204", entry.name_span)) {
-    d->message = fmt::format("`material` has no property `{}`", word);
-    advise_on_property(*d, "`material`", word, type, names);
-  }
+  Diagnostic error = errors::no_property(entry.name_span, fmt::format("`material` has no property `{}`", word), {});
+  advise_on_property(error, "`material`", word, type, names);
+  fail(std::move(error));
 }
 
 Value ThingEvaluator::as_material(const Record& record, Span place) {
@@ -170,8 +173,9 @@ Value ThingEvaluator::as_material(const Record& record, Span place) {
       is_fine = false;
       continue;
     }
-    if (const auto mistake = check_value(type.properties[*id], entry.value)) {
-      errors_.tell(*mistake, entry.span);
+    if (auto mistake = check_value(type.properties[*id], entry.value)) {
+      mistake->span = entry.span;
+      fail(*std::move(mistake));
       is_fine = false;
     }
     is_fine &= !entry.value.is_poison();

@@ -1,5 +1,6 @@
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/deep_stack.hpp"
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/session/session_change.hpp"
 #include "lang/session/session_text.hpp"
 #include "lang/text/sort_unique.hpp"
@@ -169,10 +170,7 @@ void SessionChange::settle_cameras() {
     const Statement& other = entries_[*i].get();
     const bool is_alone = other.may_print || other.made.objects.empty();
     if (entries_[*i].fresh || !is_alone || other.declares() || !other.names.empty()) {
-      if (Diagnostic* d = core_.report.error("E0404", entries_[*last].get().made.camera_place)) {
-        d->message = "there is a camera already, and a scene has one";
-        d->notes.push_back({other.made.camera_place, "the first one is here"});
-      }
+      core_.report.add(errors::second_camera(entries_[*last].get().made.camera_place, other.made.camera_place));
       return;
     }
     changes.push_back("the camera replaced: " + shortened(other.text));
@@ -201,10 +199,7 @@ void SessionChange::check_scene_properties() {
   if (!problem) return;
   for (const PropertyValue* p : written) {
     if (!p || type.properties[p->id].name != problem->field) continue;
-    if (Diagnostic* d = core_.report.error("E0407", p->span)) {
-      d->message = problem->message;
-      if (!problem->advice.empty()) d->notes.push_back({std::nullopt, problem->advice});
-    }
+    core_.report.add(errors::properties_disagree(p->span, problem->message, {}, problem->advice));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "lang/session/session_scene.hpp"
 
+#include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/session/session_text.hpp"
 #include "renderer/math/hashing.hpp"
 #include "renderer/scene/defaults.hpp"
@@ -82,18 +83,12 @@ void SessionScene::show_settings(const Document& document) {
 void SessionScene::assume(const Document& document, bool has_camera, bool has_ambient) {
   scene::Scene& scene = evaluator_.scene();
   assumptions_.clear();
-  const auto note = [this](std::string code, std::string message) {
-    Diagnostic& d = assumptions_.emplace_back();
-    d.severity = Severity::note;
-    d.code = std::move(code);
-    d.message = std::move(message);
-  };
   if (!has_camera) {
     Box3 box;
     for (const auto& chunk : document.chunks()) box.extend(chunk->finite_box);
-    note("N0001", assume_camera(scene, box));
+    assumptions_.push_back(errors::assumed_camera({}, assume_camera(scene, box)));
   }
-  if (scene.lights.empty() && !has_ambient) note("N0002", assume_light(scene));
+  if (scene.lights.empty() && !has_ambient) assumptions_.push_back(errors::assumed_light({}, assume_light(scene)));
 }
 
 namespace {

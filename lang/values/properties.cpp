@@ -3,6 +3,7 @@
 #include "lang/values/builtin.hpp"
 #include "lang/values/css_colors.hpp"
 #include "lang/values/thing.hpp"
+#include "lang/values/value_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ bool has_category(const Value& value, Category category) {
   return value.is(ValueKind::thing) && value.thing().type->category == category;
 }
 
-Mistake wrong_type(const Property& property, const Value& value) {
+Diagnostic wrong_type(const Property& property, const Value& value) {
   std::string wanted(describe(property));
   if (property.type == PropertyType::choice) {
     wanted.clear();
@@ -24,22 +25,22 @@ Mistake wrong_type(const Property& property, const Value& value) {
       wanted += fmt::format("`{}`", property.choices[i]);
     }
   }
-  return {"E0301", fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)),
-          "this is " + describe(value)};
+  return errors::wrong_property_value({}, fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)),
+                                      "this is " + describe(value));
 }
 
-std::optional<Mistake> mistake_of(const Property& property, const std::optional<scene::Violation>& violation) {
+std::optional<Diagnostic> mistake_of(const Property& property, const std::optional<scene::Violation>& violation) {
   using Kind = scene::Violation::Kind;
   if (!violation) return std::nullopt;
-  const char* code = violation->kind == Kind::not_finite ? "E0303"
-                     : violation->kind == Kind::flattens ? "E0406"
-                                                         : "E0302";
-  return Mistake{code, fmt::format("`{}` {}", property.name, violation->rule), violation->found};
+  const auto error = violation->kind == Kind::not_finite ? errors::not_finite
+                     : violation->kind == Kind::flattens ? errors::flattened
+                                                         : errors::value_out_of_bounds;
+  return error({}, fmt::format("`{}` {}", property.name, violation->rule), violation->found, {});
 }
 
 /// Why a value is no vector of three numbers.
-Mistake no_vector(const Property& property, const Value& value) {
-  Mistake mistake = wrong_type(property, value);
+Diagnostic no_vector(const Property& property, const Value& value) {
+  Diagnostic mistake = wrong_type(property, value);
   if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
   if (!value.is(ValueKind::list)) return mistake;
   const std::vector<Value>& items = value.items();
@@ -50,26 +51,27 @@ Mistake no_vector(const Property& property, const Value& value) {
   return mistake;
 }
 
-std::optional<Mistake> check_vector(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_vector(const Property& property, const Value& value) {
   if (!value.is_vector3()) return no_vector(property, value);
   return mistake_of(property, check(property.constraint, value.vector()));
 }
 
-std::optional<Mistake> check_size(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_size(const Property& property, const Value& value) {
   const bool is_number = value.is_number();
   if (!is_number && !value.is_vector3()) return no_vector(property, value);
   const Vec3 v = is_number ? Vec3{value.number(), value.number(), value.number()} : value.vector();
   return mistake_of(property, check_size(property.constraint, v));
 }
 
-std::optional<Mistake> check_color(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_color(const Property& property, const Value& value) {
   const auto color = as_color(value);
   if (!color) {
-    Mistake mistake = wrong_type(property, value);
+    Diagnostic mistake = wrong_type(property, value);
     if (value.is_vector3())
-      mistake.advice.push_back("three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`");
+      mistake.notes.push_back(
+          {std::nullopt, "three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`"});
     if (has_category(value, Category::material))
-      mistake.advice.push_back("a material has a colour of its own: `m.color`");
+      mistake.notes.push_back({std::nullopt, "a material has a colour of its own: `m.color`"});
     return mistake;
   }
   return mistake_of(property, check(property.constraint, *color));
@@ -80,7 +82,7 @@ class PatternCheck {
 public:
   explicit PatternCheck(const Property& property) : property_(property) {}
 
-  std::optional<Mistake> run(const Thing& pattern) {
+  std::optional<Diagnostic> run(const Thing& pattern) {
     if (!seen_.insert(&pattern).second) return std::nullopt;
     for (std::size_t i = 0; i < pattern.type->properties.size(); ++i) {
       if (!pattern.type->properties[i].is_textured()) continue;
@@ -90,14 +92,14 @@ public:
   }
 
 private:
-  std::optional<Mistake> check_part(const Thing& pattern, std::uint16_t id) {
+  std::optional<Diagnostic> check_part(const Thing& pattern, std::uint16_t id) {
     const PropertyValue* written = pattern.find(id);
     if (written && is_pattern(written->value)) return run(written->value.thing());
     if (written && written->value.is_poison()) return std::nullopt;
     if (written && !written->value.is_number())
-      return Mistake{"E0301",
-                     fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property_.name),
-                     "this holds a colour"};
+      return errors::wrong_property_value(
+          {}, fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property_.name),
+          "this holds a colour");
     const auto value = written ? written->value : default_value(*pattern.type, pattern.type->properties[id]);
     const std::optional<Color> shown = value ? as_color(*value) : std::nullopt;
     auto mistake = shown ? mistake_of(property_, check(property_.constraint, shown->r)) : std::nullopt;
@@ -112,47 +114,48 @@ private:
 };
 
 /// A pattern where there can be none.
-Mistake must_be_constant(const Property& property, const Value& value) {
-  Mistake mistake = wrong_type(property, value);
-  mistake.advice.push_back(fmt::format("{}: write one number", property.field->constant_because));
+Diagnostic must_be_constant(const Property& property, const Value& value) {
+  Diagnostic mistake = wrong_type(property, value);
+  mistake.notes.push_back({std::nullopt, fmt::format("{}: write one number", property.field->constant_because)});
   return mistake;
 }
 
-std::optional<Mistake> check_points(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_points(const Property& property, const Value& value) {
   if (!is_sequence(value) || value.is(ValueKind::range)) return wrong_type(property, value);
   const std::size_t size = sequence_size(value);
   for (std::size_t i = 0; i < size; ++i) {
     const Value point = sequence_at(value, i);
     if (point.is_poison()) return std::nullopt;
     if (!point.is_vector3()) {
-      return Mistake{"E0301", fmt::format("`{}` takes a list of points, each of three numbers", property.name),
-                     fmt::format("element {} is {}", i, describe(point))};
+      return errors::wrong_property_value(
+          {}, fmt::format("`{}` takes a list of points, each of three numbers", property.name),
+          fmt::format("element {} is {}", i, describe(point)));
     }
     if (const auto violation = check(property.constraint, point.vector())) return mistake_of(property, violation);
   }
   return mistake_of(property, check_count(property.constraint, size));
 }
 
-std::optional<Mistake> check_choice(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_choice(const Property& property, const Value& value) {
   if (!value.is(ValueKind::choice)) return wrong_type(property, value);
   for (const std::string_view word : property.choices) {
     if (word == value.choice()) return std::nullopt;
   }
-  Mistake mistake = wrong_type(property, value);
+  Diagnostic mistake = wrong_type(property, value);
   mistake.message =
       mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
   mistake.label.clear();
   return mistake;
 }
 
-std::optional<Mistake> check_resolution(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_resolution(const Property& property, const Value& value) {
   const bool is_pair = value.is(ValueKind::vector) && value.vector_size() == 2;
   if (!is_pair) return wrong_type(property, value);
   const Vec3 size = value.vector();
   return mistake_of(property, check(property.constraint, Vec3{size.x, size.y, size.y}));
 }
 
-std::optional<Mistake> require(bool is_fine, const Property& property, const Value& value) {
+std::optional<Diagnostic> require(bool is_fine, const Property& property, const Value& value) {
   return is_fine ? std::nullopt : std::optional(wrong_type(property, value));
 }
 
@@ -186,7 +189,7 @@ std::string_view describe(const Property& property) {
   return "";
 }
 
-std::optional<Mistake> check_value(const Property& property, const Value& value) {
+std::optional<Diagnostic> check_value(const Property& property, const Value& value) {
   if (value.is_poison()) return std::nullopt;
   // What a pattern holds was checked as colours when it was made.
   if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;

@@ -5,23 +5,15 @@
 #include "lang/values/value.hpp"
 
 #include <optional>
-#include <string>
 
 namespace rt::lang {
-
-/// What is wrong with a value, before it is known where it stands.
-struct Mistake {
-  std::string code;
-  std::string message;
-  std::string label;
-  std::vector<std::string> advice = {};
-};
 
 /// "a number", "a vector of three numbers": what a property takes.
 std::string_view describe(const Property& property);
 
-/// Whether the property takes the value: its type, then its constraint. Poison passes.
-std::optional<Mistake> check_value(const Property& property, const Value& value);
+/// What is wrong with the value of a property, its type or else its constraint; the place is the caller's to fill in.
+/// Poison passes.
+std::optional<Diagnostic> check_value(const Property& property, const Value& value);
 
 /// What a property is where it is not written; nothing where it has no value then (a plane's `y`).
 std::optional<Value> default_value(const NodeType& type, const Property& property);

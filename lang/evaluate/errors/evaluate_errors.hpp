@@ -1,0 +1,45 @@
+#pragma once
+
+#include "lang/diagnostics/diagnostic.hpp"
+
+#include <string>
+
+/// What goes wrong while a program runs: one function a code; what each means is in the registry.
+namespace rt::lang::errors {
+
+Diagnostic wrong_operand(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic no_condition(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic not_callable(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic not_iterable(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic no_element(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic wrong_argument(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic no_result(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic range_stands_still(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic unused_value(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic open_in_combination(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic light_in_combination(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic camera_in_thing(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic second_camera(Span place, Span first);
+Diagnostic takes_no_things(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic properties_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic media_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic not_movable(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic not_placeable(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic too_many_steps(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic calls_too_deep(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic too_many_objects(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic too_much_memory(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic stopped(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic wrong_define(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic param_out_of_range(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic expectation_fails(Span place, std::string message, std::string label = {}, std::string advice = {});
+
+// Notes on what was assumed.
+Diagnostic assumed_camera(Span place, std::string message);
+Diagnostic assumed_light(Span place, std::string message);
+Diagnostic empty_range(Span place);
+
+/// Whether it might be right with other values, so that it is no mistake where a line may never run.
+bool depends_on_values(const Diagnostic& diagnostic);
+
+} // namespace rt::lang::errors

@@ -97,10 +97,10 @@ void CsgSolid::push_child(const Node& node, std::uint32_t i, const Ray& ray, Tra
     push_node(child.index, ray, scratch);
   } else {
     const auto push = [&](const auto& placed) {
-      const Crossings found = crossings(placed.shape, placed.carried(ray));
-      for (int k = 0; k < found.count; ++k) {
-        const Hit& hit = found.at[static_cast<std::size_t>(k)];
-        list.push_back({hit.t, hit.part, child.index, false, k % 2 == 0});
+      bool is_entry = true;
+      for (const Hit& hit : crossings(placed.shape, placed.carried(ray))) {
+        list.push_back({hit.t, hit.part, child.index, false, is_entry});
+        is_entry = !is_entry;
       }
     };
     std::visit(push, operands_[child.index].shape);

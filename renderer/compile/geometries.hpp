@@ -3,7 +3,6 @@
 #include "renderer/compile/hit_rules.hpp"
 #include "renderer/compile/placed_shape.hpp"
 #include "renderer/compile/povray_box.hpp"
-#include "renderer/compile/smooth_triangle.hpp"
 #include "renderer/scene/scene.hpp"
 
 #include <tuple>

@@ -11,7 +11,7 @@ namespace rt {
 /// A geometry that has an inside.
 template <class G>
 concept Solidlike = requires(const G& g, const Ray& ray, const Vec3& p) {
-  { crossings(g, ray) } -> std::same_as<Crossings>;
+  { *crossings(g, ray).begin() } -> std::convertible_to<const Hit&>;
   { contains(g, p) } -> std::same_as<bool>;
 };
 

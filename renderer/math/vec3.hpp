@@ -39,12 +39,9 @@ constexpr Vec3 operator/(const Vec3& a, double s) {
   return {a.x / s, a.y / s, a.z / s};
 }
 
-/// Products and quotients component by component.
+/// The product component by component.
 constexpr Vec3 multiply(const Vec3& a, const Vec3& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-constexpr Vec3 divide(const Vec3& a, const Vec3& b) {
-  return {a.x / b.x, a.y / b.y, a.z / b.z};
 }
 
 constexpr double dot(const Vec3& a, const Vec3& b) {

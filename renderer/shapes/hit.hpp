@@ -19,7 +19,7 @@
 /// and for solids
 ///
 ///     bool is_solid(const G&);                               // false: open, it has no inside
-///     Crossings crossings(const G&, const Ray&);             // of the whole line
+///     Crossings crossings(const G&, const Ray&);             // of the whole line; or another range of hits: see there
 ///     bool contains(const G&, const Vec3&);
 ///
 /// A crossing's t depends on the ray and the shape alone, never on the interval: raising `lower` to the last t leads on
@@ -62,8 +62,11 @@ SurfacePoint mapped(const SurfacePoint& local, const Affine& to_scene, const Aff
 
 /// Where a line enters and leaves a solid: at[0] enters, at[1] leaves, at[2] enters again, …; t ascends. t is infinite
 /// where the line is inside all the way. A line that only touches the solid does not enter it.
-struct Crossings {
-  std::array<Hit, 4> at{};
+///
+/// `Most` is how many there can be. A solid without such a number gives a std::vector<Hit> instead.
+template <std::size_t Most>
+struct CrossingList {
+  std::array<Hit, Most> at{};
   int count = 0; ///< even
 
   void add(const Hit& enter, const Hit& leave) {
@@ -71,6 +74,11 @@ struct Crossings {
     at[static_cast<std::size_t>(count + 1)] = leave;
     count += 2;
   }
+  const Hit* begin() const { return at.data(); }
+  const Hit* end() const { return at.data() + count; }
 };
+
+/// Of a quadric or simpler, of a torus too.
+using Crossings = CrossingList<4>;
 
 } // namespace rt

@@ -55,9 +55,22 @@ Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point) {
   return {1 - b - c, b, c};
 }
 
-Vec3 interpolated_normal(const TriangleGeometry& triangle, const std::array<Vec3, 3>& normals, const Vec3& point) {
-  const Vec3 weight = barycentric(triangle, point);
-  return normalize(normals[0] * weight.x + normals[1] * weight.y + normals[2] * weight.z);
+std::optional<SmoothTriangleGeometry> placed(const SmoothTriangleGeometry& triangle, const Affine& map) {
+  const std::optional<TriangleGeometry> flat = placed(static_cast<const TriangleGeometry&>(triangle), map);
+  if (!flat) return std::nullopt;
+  const auto& [a, b, c] = triangle.normals;
+  return SmoothTriangleGeometry{*flat, {normalize(map.normal(a)), normalize(map.normal(b)), normalize(map.normal(c))}};
+}
+
+Vec3 InterpolatedNormal::value(const Vec3& geometric_normal) const {
+  const Vec3 n =
+      normalize(normals[0]) * weights.x + normalize(normals[1]) * weights.y + normalize(normals[2]) * weights.z;
+  const double size = length(n);
+  return size > 0 ? n / size : geometric_normal;
+}
+
+InterpolatedNormal interpolated_normal(const SmoothTriangleGeometry& triangle, const Vec3& point) {
+  return {barycentric(triangle, point), triangle.normals};
 }
 
 } // namespace rt

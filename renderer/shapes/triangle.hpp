@@ -41,8 +41,6 @@ constexpr bool is_solid(const TriangleGeometry&) {
 
 /// The weights of the corners at a point of the triangle's plane; their sum is 1.
 Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point);
-/// The unit normal at a point, from unit normals at the corners.
-Vec3 interpolated_normal(const TriangleGeometry& triangle, const std::array<Vec3, 3>& normals, const Vec3& point);
 
 template <std::size_t Axis>
 inline bool intersect_along(const TriangleGeometry& triangle, const Ray& ray, const Interval& range, Hit& hit) {
@@ -67,5 +65,30 @@ inline bool intersect(const TriangleGeometry& triangle, const Ray& ray, const In
   return along_largest(ray.direction,
                        [&]<std::size_t Axis>() { return intersect_along<Axis>(triangle, ray, range, hit); });
 }
+
+/// A triangle that is shaded as if it were curved. The normals need not be unit vectors: they are normalised where the
+/// scene's space is reached.
+struct SmoothTriangleGeometry : TriangleGeometry {
+  std::array<Vec3, 3> normals;
+};
+
+std::optional<SmoothTriangleGeometry> placed(const SmoothTriangleGeometry& triangle, const Affine& map);
+
+/// A normal to shade with that is interpolated between the corners of a triangle.
+struct InterpolatedNormal {
+  Vec3 weights; ///< of the corners; their sum is 1
+  std::array<Vec3, 3> normals;
+
+  /// Carries the normals by `map` to another space.
+  void carry(const Affine& map) {
+    for (Vec3& normal : normals) normal = map.normal(normal);
+  }
+  /// The unit normal. Those of the corners are normalised before they are interpolated, as POV-Ray does; where they
+  /// cancel out it is `geometric_normal`.
+  Vec3 value(const Vec3& geometric_normal) const;
+};
+
+/// At a point of the triangle, in its space.
+InterpolatedNormal interpolated_normal(const SmoothTriangleGeometry& triangle, const Vec3& point);
 
 } // namespace rt

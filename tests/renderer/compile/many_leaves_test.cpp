@@ -52,6 +52,26 @@ std::uint32_t slot(const RayHit& hit) {
   return hit.kind->tag(hit.leaves, hit.index).slot;
 }
 
+// A solid whose line may cross six surfaces, and one that has no such limit.
+struct ThreeSlabs {};
+CrossingList<6> crossings(const ThreeSlabs&, const Ray& ray) {
+  CrossingList<6> found;
+  for (int slab = 0; slab < 3; ++slab)
+    found.add({(2 * slab - ray.origin.x) / ray.direction.x, 0}, {(2 * slab + 1 - ray.origin.x) / ray.direction.x, 1});
+  return found;
+}
+[[maybe_unused]] bool contains(const ThreeSlabs&, const Vec3&) {
+  return false;
+}
+struct AnyMesh {};
+[[maybe_unused]] std::vector<Hit> crossings(const AnyMesh&, const Ray&) {
+  return {};
+}
+[[maybe_unused]] bool contains(const AnyMesh&, const Vec3&) {
+  return false;
+}
+static_assert(Solidlike<ThreeSlabs> && Solidlike<AnyMesh> && Solidlike<SphereGeometry> && !Solidlike<TriangleGeometry>);
+
 } // namespace
 
 TEST_CASE("aggregate: an object of many leaves is one object") {
@@ -94,4 +114,11 @@ TEST_CASE("aggregate: of one object's leaves that are hit at the same place the 
       }
     }
   }
+}
+
+TEST_CASE("crossings: as many as a solid declares") {
+  const auto found = crossings(ThreeSlabs{}, Ray{{-1, 0, 0}, {0.5, 0, 0}});
+  std::vector<double> ts;
+  for (const Hit& hit : found) ts.push_back(hit.t);
+  CHECK(ts == std::vector<double>{2, 4, 6, 8, 10, 12});
 }

@@ -97,10 +97,16 @@ TEST_CASE("triangle: the notes' plane through three points is 6x + 10y + 7z = 50
 TEST_CASE("triangle: weights and interpolated normals") {
   CHECK(near(barycentric(right, {1, 1, 0}), {1 - 0.25 - 1.0 / 3, 0.25, 1.0 / 3}));
   CHECK(near(barycentric(right, {4, 0, 0}), {0, 1, 0}));
-  const std::array<Vec3, 3> normals{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
-  CHECK(near(interpolated_normal(right, normals, {0, 3, 0}), {0, 1, 0}));
-  CHECK(near(interpolated_normal(right, normals, {2, 0, 0}), Vec3{1, 0, 1} / std::sqrt(2.0)));
-  CHECK(near(interpolated_normal(right, normals, {4.0 / 3, 1, 0}), Vec3{1, 1, 1} / std::sqrt(3.0)));
+  const SmoothTriangleGeometry smooth{right, {Vec3{0, 0, 1}, Vec3{2, 0, 0}, Vec3{0, 0.5, 0}}};
+  const Vec3 geometric{0, 0, -1};
+  CHECK(near(interpolated_normal(smooth, {0, 3, 0}).value(geometric), {0, 1, 0}));
+  CHECK(near(interpolated_normal(smooth, {2, 0, 0}).value(geometric), Vec3{1, 0, 1} / std::sqrt(2.0)));
+  CHECK(near(interpolated_normal(smooth, {4.0 / 3, 1, 0}).value(geometric), Vec3{1, 1, 1} / std::sqrt(3.0)));
+}
+
+TEST_CASE("triangle: corner normals that cancel out leave the geometric one") {
+  const SmoothTriangleGeometry smooth{right, {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}}};
+  CHECK(interpolated_normal(smooth, {2, 0, 0}).value({0, 0, 1}) == Vec3{0, 0, 1});
 }
 
 TEST_CASE("triangle: far origins and a place far from the world's origin") {

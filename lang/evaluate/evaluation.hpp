@@ -1,10 +1,10 @@
 #pragma once
 
 #include "lang/check/program.hpp"
-#include "lang/evaluate/description.hpp"
 #include "lang/evaluate/error_reporter.hpp"
-#include "lang/evaluate/frames.hpp"
+#include "lang/evaluate/expressions/frames.hpp"
 #include "lang/evaluate/limit_guard.hpp"
+#include "lang/evaluate/things/description.hpp"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "lang/evaluate/evaluate.hpp"
 #include "lang/evaluate/expectation_runner.hpp"
-#include "lang/evaluate/thing_evaluator.hpp"
+#include "lang/evaluate/things/thing_evaluator.hpp"
 
 #include <optional>
 #include <span>

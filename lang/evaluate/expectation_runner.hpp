@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lang/builtins/expect.hpp"
-#include "lang/evaluate/block_evaluator.hpp"
-#include "lang/evaluate/scene_writer.hpp"
+#include "lang/evaluate/things/block_evaluator.hpp"
+#include "lang/evaluate/things/scene_writer.hpp"
 
 #include <memory>
 #include <optional>

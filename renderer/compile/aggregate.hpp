@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/compile/leaves.hpp"
-#include "renderer/compile/sphere_leaves.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/compile/leaves/leaves.hpp"
+#include "renderer/compile/leaves/sphere_leaves.hpp"
+#include "renderer/scene/validation/validate.hpp"
 
 #include <array>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "renderer/compile/aggregate.hpp"
 #include "renderer/compile/instancing.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 
 #include <algorithm>
 #include <span>

@@ -3,7 +3,7 @@
 #include "renderer/compile/aggregate.hpp"
 #include "renderer/compile/compile.hpp"
 #include "renderer/math/static_vector.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #include "renderer/compile/csg.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 
 #include <span>
 

@@ -4,7 +4,7 @@
 #include "renderer/integrators/integrator.hpp"
 #include "renderer/math/static_vector.hpp"
 #include "renderer/render/camera_rays.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 #include "renderer/shading/materials.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "renderer/shapes/quad.hpp"
 
-#include "renderer/shapes/flat.hpp"
-#include "renderer/shapes/outline.hpp"
+#include "renderer/shapes/flat/flat.hpp"
+#include "renderer/shapes/flat/outline.hpp"
 
 namespace rt::scene {
 

@@ -1,6 +1,6 @@
 #include "renderer/shapes/triangle.hpp"
 
-#include "renderer/shapes/outline.hpp"
+#include "renderer/shapes/flat/outline.hpp"
 
 #include <fmt/format.h>
 

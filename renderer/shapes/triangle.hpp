@@ -2,7 +2,7 @@
 
 #include "renderer/fields/field.hpp"
 #include "renderer/math/rounding.hpp"
-#include "renderer/shapes/flat.hpp"
+#include "renderer/shapes/flat/flat.hpp"
 
 namespace rt::scene {
 

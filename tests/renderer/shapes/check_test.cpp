@@ -1,6 +1,6 @@
 // What is no shape, and how that is said.
 
-#include "renderer/shapes/outline.hpp"
+#include "renderer/shapes/flat/outline.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace rt;

@@ -1,7 +1,7 @@
 #include "tools/povray/export/export.hpp"
 
 #include "renderer/scene/names.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 #include "tools/povray/export/export_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lang/evaluate/expectation_list.hpp"
-#include "lang/evaluate/expression_evaluator.hpp"
-#include "lang/evaluate/target.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
+#include "lang/evaluate/things/target.hpp"
 
 namespace rt::lang {
 

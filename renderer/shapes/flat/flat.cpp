@@ -1,4 +1,4 @@
-#include "renderer/shapes/flat.hpp"
+#include "renderer/shapes/flat/flat.hpp"
 
 namespace rt {
 namespace {

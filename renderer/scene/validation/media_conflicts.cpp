@@ -1,4 +1,4 @@
-#include "renderer/scene/media_conflicts.hpp"
+#include "renderer/scene/validation/media_conflicts.hpp"
 
 #include <optional>
 #include <set>

@@ -1,4 +1,4 @@
-#include "lang/evaluate/operators.hpp"
+#include "lang/evaluate/expressions/operators.hpp"
 
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/values/properties.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderer/compile/leaves.hpp"
-#include "renderer/compile/sphere_pack.hpp"
+#include "renderer/compile/leaves/leaves.hpp"
+#include "renderer/compile/leaves/sphere_pack.hpp"
 
 #include <bit>
 #include <vector>

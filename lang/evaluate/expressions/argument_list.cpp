@@ -1,8 +1,8 @@
-#include "lang/evaluate/argument_list.hpp"
+#include "lang/evaluate/expressions/argument_list.hpp"
 
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
-#include "lang/evaluate/expression_evaluator.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
 #include "lang/values/properties.hpp"
 
 #include <fmt/format.h>

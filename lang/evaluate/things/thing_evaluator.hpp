@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lang/evaluate/expression_evaluator.hpp"
-#include "lang/evaluate/scene_writer.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
+#include "lang/evaluate/things/scene_writer.hpp"
 
 #include <unordered_map>
 

@@ -1,4 +1,4 @@
-#include "renderer/compile/sphere_leaves.hpp"
+#include "renderer/compile/leaves/sphere_leaves.hpp"
 
 #include <algorithm>
 #include <array>

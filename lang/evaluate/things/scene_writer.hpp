@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lang/evaluate/evaluation.hpp"
-#include "lang/evaluate/target.hpp"
+#include "lang/evaluate/things/target.hpp"
 
 #include <optional>
 #include <vector>

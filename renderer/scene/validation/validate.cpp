@@ -1,6 +1,6 @@
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 
-#include "renderer/scene/media_conflicts.hpp"
+#include "renderer/scene/validation/media_conflicts.hpp"
 
 #include <fmt/format.h>
 

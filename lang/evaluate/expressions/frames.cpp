@@ -1,4 +1,4 @@
-#include "lang/evaluate/frames.hpp"
+#include "lang/evaluate/expressions/frames.hpp"
 
 #include <algorithm>
 

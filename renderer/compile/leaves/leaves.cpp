@@ -1,4 +1,4 @@
-#include "renderer/compile/leaves.hpp"
+#include "renderer/compile/leaves/leaves.hpp"
 
 #include "renderer/compile/aggregate.hpp"
 

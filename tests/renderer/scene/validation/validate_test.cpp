@@ -3,7 +3,7 @@
 #include "renderer/render/ray_query.hpp"
 #include "renderer/render/render.hpp"
 #include "renderer/scene/builder.hpp"
-#include "renderer/scene/validate.hpp"
+#include "renderer/scene/validation/validate.hpp"
 #include "tools/povray/export/export.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
-#include "lang/evaluate/scene_writer.hpp"
+#include "lang/evaluate/things/scene_writer.hpp"
 
 #include "lang/check/lint/rules.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/values/value_errors.hpp"
-#include "renderer/scene/media_conflicts.hpp"
+#include "renderer/scene/validation/media_conflicts.hpp"
 
 #include <fmt/format.h>
 

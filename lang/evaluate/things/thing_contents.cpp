@@ -1,6 +1,6 @@
-#include "lang/evaluate/block_evaluator.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
-#include "lang/evaluate/thing_evaluator.hpp"
+#include "lang/evaluate/things/block_evaluator.hpp"
+#include "lang/evaluate/things/thing_evaluator.hpp"
 #include "renderer/math/hashing.hpp"
 
 #include <fmt/format.h>

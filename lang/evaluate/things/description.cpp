@@ -1,4 +1,4 @@
-#include "lang/evaluate/description.hpp"
+#include "lang/evaluate/things/description.hpp"
 
 #include <algorithm>
 

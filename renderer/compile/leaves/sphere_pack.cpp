@@ -1,4 +1,4 @@
-#include "renderer/compile/sphere_pack.hpp"
+#include "renderer/compile/leaves/sphere_pack.hpp"
 
 #include <cstring>
 

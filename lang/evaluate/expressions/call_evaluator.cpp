@@ -1,9 +1,9 @@
-#include "lang/evaluate/call_evaluator.hpp"
+#include "lang/evaluate/expressions/call_evaluator.hpp"
 
 #include "lang/check/errors/shared_errors.hpp"
-#include "lang/evaluate/argument_list.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
-#include "lang/evaluate/expression_evaluator.hpp"
+#include "lang/evaluate/expressions/argument_list.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/shapes/outline.hpp"
+#include "renderer/shapes/flat/outline.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
-#include "lang/evaluate/expression_evaluator.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>

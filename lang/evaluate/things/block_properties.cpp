@@ -1,7 +1,7 @@
 #include "lang/check/errors/dialects.hpp"
 #include "lang/check/errors/shared_errors.hpp"
-#include "lang/evaluate/block_evaluator.hpp"
-#include "lang/evaluate/thing_evaluator.hpp"
+#include "lang/evaluate/things/block_evaluator.hpp"
+#include "lang/evaluate/things/thing_evaluator.hpp"
 
 #include <fmt/format.h>
 

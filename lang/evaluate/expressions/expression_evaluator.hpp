@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lang/builtins/builtins.hpp"
-#include "lang/evaluate/call_evaluator.hpp"
 #include "lang/evaluate/evaluation.hpp"
-#include "lang/evaluate/operators.hpp"
+#include "lang/evaluate/expressions/call_evaluator.hpp"
+#include "lang/evaluate/expressions/operators.hpp"
 
 #include <span>
 #include <string>

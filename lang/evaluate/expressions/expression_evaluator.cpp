@@ -1,4 +1,4 @@
-#include "lang/evaluate/expression_evaluator.hpp"
+#include "lang/evaluate/expressions/expression_evaluator.hpp"
 
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"

@@ -57,7 +57,7 @@ public:
     const auto entry = find_entry(type->name);
     return entry ? describe(*entry) : std::string(type->name);
   }
-  std::string operator()(const Property* property) const { return describe(*property); }
+  std::string operator()(const Property* property) const { return describe_property(*property); }
   std::string operator()(const Builtin* builtin) const {
     return fmt::format("{}({})\n  {}", builtin->name, builtin->signature.text(), builtin->help);
   }
@@ -75,7 +75,8 @@ public:
   std::string operator()(const Choice& choice) const {
     for (const NodeType& type : program_.types.all())
       for (const Property& property : type.properties)
-        if (std::ranges::find(property.choices, choice.word) != property.choices.end()) return describe(property);
+        if (std::ranges::find(property.choices, choice.word) != property.choices.end())
+          return describe_property(property);
     return std::string(choice.word);
   }
 

@@ -132,7 +132,7 @@ std::string noun_tables(std::span<const ReferenceEntry> entries) {
 
 } // namespace
 
-std::string describe(const Property& property) {
+std::string describe_property(const Property& property) {
   const PropertyEntry e = entry(property);
   return fmt::format("{}: {}{}{}\n  {}", e.name, e.type, e.default_text.empty() ? "" : " = ", e.default_text, e.help);
 }

@@ -41,7 +41,7 @@ std::vector<ReferenceEntry> reference();
 std::optional<ReferenceEntry> find_entry(std::string_view name);
 
 /// A property of one thing: what it takes, its default, what it is.
-std::string describe(const Property& property);
+std::string describe_property(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
 /// A word of the grammar, with an example; empty for any other word.

@@ -1,7 +1,7 @@
 #include "tools/explain/probe.hpp"
 
-#include "tools/explain/json.hpp"
 #include "renderer/scene/names.hpp"
+#include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "tools/explain/json.hpp"
 #include "renderer/scene/names.hpp"
+#include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
 #include "tools/explain/why_surface.hpp"
 

@@ -32,7 +32,7 @@ struct Object {
   TransformId transform = no_transform;
   MaterialId material = no_material;
   NameId name = no_name;
-  Origin origin;
+  Origin origin{};
   bool is_visible = true;
   bool casts_shadow = true;
 };

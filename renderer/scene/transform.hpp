@@ -61,7 +61,7 @@ struct Placement {
   Vec3 scale{1, 1, 1};
   Vec3 rotate{};
   Vec3 at{};
-  std::vector<Step> chain;
+  std::vector<Step> chain{};
 };
 
 /// The map of one step, and of a whole placement, from the thing's own space to its parent's.

@@ -19,17 +19,17 @@ struct QuestionError : std::runtime_error {
 
 /// One of a pixel, a point of the picture, and a ray.
 struct Question {
-  std::optional<std::array<int, 2>> pixel; ///< its centre, or one of its samples
-  std::optional<int> sample;               ///< of the pixel's grid, row by row from 0
-  std::optional<std::array<double, 2>> at; ///< continuous: pixel (0, 0) has its centre at (0.5, 0.5)
-  std::optional<Ray> ray;                  ///< as given: t counts the lengths of its direction
+  std::optional<std::array<int, 2>> pixel{}; ///< its centre, or one of its samples
+  std::optional<int> sample{};               ///< of the pixel's grid, row by row from 0
+  std::optional<std::array<double, 2>> at{}; ///< continuous: pixel (0, 0) has its centre at (0.5, 0.5)
+  std::optional<Ray> ray{};                  ///< as given: t counts the lengths of its direction
 };
 
 /// A question as it is written, in the options of a command.
 struct QuestionText {
-  std::string pixel, at;        ///< "400,300", "10.5,20.25"
-  int sample = -1;              ///< none
-  std::vector<std::string> ray; ///< origin and direction, "0,1.5,-2" each
+  std::string pixel{}, at{};      ///< "400,300", "10.5,20.25"
+  int sample = -1;                ///< none
+  std::vector<std::string> ray{}; ///< origin and direction, "0,1.5,-2" each
 };
 /// Throws QuestionError for what is not a pixel, a point or a ray.
 Question parse(const QuestionText& text);

@@ -11,7 +11,7 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 
 /// `f` of a number, or of each number of a vector.
-template <double (*f)(double)>
+template <auto f>
 Value each(BuiltinCall& c) {
   if (c[0].is_number()) return f(c.number(0));
   const Vec3& v = c.vector(0);
@@ -21,21 +21,6 @@ Value each(BuiltinCall& c) {
 
 double sign_of(double x) {
   return x > 0 ? 1 : x < 0 ? -1 : x;
-}
-double magnitude(double x) {
-  return std::abs(x);
-}
-double floor_of(double x) {
-  return std::floor(x);
-}
-double ceil_of(double x) {
-  return std::ceil(x);
-}
-double round_of(double x) {
-  return std::round(x);
-}
-double trunc_of(double x) {
-  return std::trunc(x);
 }
 
 Value sine(BuiltinCall& c) {
@@ -80,20 +65,11 @@ Value square_root(BuiltinCall& c) {
   return std::sqrt(x);
 }
 
-template <double (*f)(double)>
+template <auto f>
 Value logarithm(BuiltinCall& c) {
   const double x = c.number(0);
   if (x <= 0) return c.fail(0, "only a number greater than 0 has a logarithm", "this is " + format_number(x));
   return f(x);
-}
-double natural_log(double x) {
-  return std::log(x);
-}
-double binary_log(double x) {
-  return std::log2(x);
-}
-double decimal_log(double x) {
-  return std::log10(x);
 }
 
 Value exponential(BuiltinCall& c) {
@@ -138,20 +114,22 @@ std::span<const Builtin> maths() {
       {"atan", "x: number", "the angle from -90 to 90 degrees with this tangent", arc_tangent},
       {"atan2", "y: number, x: number", "the angle of the point (x, y) from -180 to 180 degrees", arc_tangent2},
       {"sqrt", "x: number", "square root", square_root},
-      {"abs", "x: number or point", "without its sign; of each number of a vector", each<magnitude>},
+      {"abs", "x: number or point", "without its sign; of each number of a vector",
+       each<[](double v) { return std::abs(v); }>},
       {"sign", "x: number or point", "-1, 0 or 1", each<sign_of>},
-      {"floor", "x: number or point", "the next whole number below", each<floor_of>},
-      {"ceil", "x: number or point", "the next whole number above", each<ceil_of>},
-      {"round", "x: number or point", "the nearest whole number; halves away from 0", each<round_of>},
-      {"trunc", "x: number or point", "the whole part, towards 0", each<trunc_of>},
+      {"floor", "x: number or point", "the next whole number below", each<[](double v) { return std::floor(v); }>},
+      {"ceil", "x: number or point", "the next whole number above", each<[](double v) { return std::ceil(v); }>},
+      {"round", "x: number or point", "the nearest whole number; halves away from 0",
+       each<[](double v) { return std::round(v); }>},
+      {"trunc", "x: number or point", "the whole part, towards 0", each<[](double v) { return std::trunc(v); }>},
       {"clamp", "x: number, low: number = 0, high: number = 1", "x held between two bounds", clamped},
       {"smoothstep", "low: number, high: number, x: number", "0 below low, 1 above high, an S-curve between",
        smooth_step},
       {"pow", "base: number, exponent: number", "base ^ exponent", power},
       {"exp", "x: number", "e ^ x", exponential},
-      {"log", "x: number", "natural logarithm", logarithm<natural_log>},
-      {"log2", "x: number", "logarithm to base 2", logarithm<binary_log>},
-      {"log10", "x: number", "logarithm to base 10", logarithm<decimal_log>},
+      {"log", "x: number", "natural logarithm", logarithm<[](double v) { return std::log(v); }>},
+      {"log2", "x: number", "logarithm to base 2", logarithm<[](double v) { return std::log2(v); }>},
+      {"log10", "x: number", "logarithm to base 10", logarithm<[](double v) { return std::log10(v); }>},
       {"hypot", "x…: number", "square root of the sum of the squares", hypotenuse},
       {"mod", "a: number, b: number", "a % b: the remainder, with the sign of b", modulo},
   };

@@ -1,13 +1,12 @@
 #include "lang/check/calls.hpp"
 
+#include "lang/check/errors/argument_errors.hpp"
 #include "lang/check/errors/call_errors.hpp"
 #include "lang/values/value.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rt::lang {
@@ -43,29 +42,24 @@ bool has_rest(const Builtin& builtin) {
   return builtin.signature.has_rest();
 }
 
-errors::Callee describe(CheckContext& context, const FunctionInfo& function) {
-  std::vector<std::string_view> names;
-  for (const FunctionInfo::Parameter& p : function.parameters) names.push_back(context.name(p.name));
-  return {function.name == no_symbol ? "this function" : fmt::format("`{}`", context.name(function.name)),
-          {function.unit->ast.span(function.node), fmt::format("it takes ({})", fmt::join(names, ", "))},
-          count_of_arguments(names.size())};
+errors::Callee callee_of(CheckContext& context, const FunctionInfo& function) {
+  return errors::callee(context.program.symbols, function);
 }
 
-errors::Callee describe(CheckContext&, const Builtin& builtin) {
-  return {fmt::format("`{}`", builtin.name),
-          {std::nullopt, fmt::format("{}({})", builtin.name, builtin.signature.text())},
-          "at most " + count_of_arguments(builtin.signature.size())};
+errors::Callee callee_of(CheckContext&, const Builtin& builtin) {
+  return errors::callee(builtin.name, builtin.signature);
 }
 
 template <class AnyFunction>
 void check_arguments(CheckContext& context, const Unit& unit, NodeId call, const AnyFunction& function) {
+  const auto report = [&](Diagnostic d) { context.report.add(std::move(d)); };
   const std::vector<CalledParameter> parameters = parameters_of(context, function);
   std::vector<bool> is_given(parameters.size());
   std::size_t positional = 0;
   for (const NodeId argument : unit.ast.call(call).arguments) {
     if (unit.ast.kind(argument) != Kind::argument) {
       if (positional >= parameters.size() && !has_rest(function))
-        return errors::too_many_arguments(context, unit.ast.span(argument), describe(context, function));
+        return report(errors::too_many_arguments(unit.ast.span(argument), callee_of(context, function)));
       is_given[std::min(positional++, parameters.size() - 1)] = true;
       continue;
     }
@@ -75,16 +69,17 @@ void check_arguments(CheckContext& context, const Unit& unit, NodeId call, const
     if (found == parameters.end()) {
       std::vector<std::string_view> names;
       for (const CalledParameter& p : parameters) names.push_back(p.name);
-      return errors::unknown_parameter(context, span, describe(context, function), word, names);
+      return report(
+          errors::unknown_parameter(span, callee_of(context, function), word, errors::guess_label(word, names)));
     }
     if (found->target) context.program.references.add(span, *found->target, Reference::Use::sets);
     const auto i = static_cast<std::size_t>(found - parameters.begin());
-    if (is_given[i]) return errors::argument_given_twice(context, span, describe(context, function), word);
+    if (is_given[i]) return report(errors::argument_given_twice(span, callee_of(context, function), word));
     is_given[i] = true;
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (!is_given[i] && parameters[i].is_required)
-      return errors::missing_argument(context, unit.ast.span(call), describe(context, function), parameters[i].name);
+      return report(errors::missing_argument(unit.ast.span(call), callee_of(context, function), parameters[i].name));
   }
 }
 

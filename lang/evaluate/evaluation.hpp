@@ -47,6 +47,8 @@ protected:
   ~EvaluationPart() = default;
 
   Value fail(Diagnostic error) { return errors_.fail(std::move(error)); }
+  /// The same where the answer is whether something went well.
+  bool refuse(Diagnostic error) { return fail(std::move(error)), false; }
   std::string_view name(Symbol symbol) const { return errors_.name(symbol); }
 
   Evaluation& evaluation_;

@@ -5,6 +5,7 @@
 #include "renderer/math/ray.hpp"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -59,11 +60,16 @@ private:
 /// How many queries may travel together.
 inline constexpr std::size_t packet_size = 16;
 
-/// A set of leaves with its type erased: one function per kind of leaf, without a switch over kinds.
+/// Which queries of a packet, a bit for each.
+using QueryMask = std::uint32_t;
+
+/// A set of leaves with its type erased: functions per kind of leaf, without a switch over kinds, and one call for all
+/// the queries of a packet that are in the leaf's way.
 struct LeafSet {
   const void* leaves;
-  void (*nearest)(const void* leaves, std::uint32_t i, Query& query);
-  bool (*blocks)(const void* leaves, std::uint32_t i, Query& query);
+  void (*nearest)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
+  /// Those that it blocks.
+  QueryMask (*blocks)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   Box3 (*bounds)(const void* leaves, std::uint32_t i);
   std::uint32_t size;
 };
@@ -89,11 +95,18 @@ public:
   void add(const Leaves& leaves) {
     if (leaves.size() == 0) return;
     sets_.push_back({&leaves,
-                     [](const void* all, std::uint32_t i, Query& query) {
-                       static_cast<const Leaves*>(all)->nearest(i, static_cast<NearestQuery&>(query));
+                     [](const void* all, std::uint32_t i, Query* const* queries, QueryMask which) {
+                       const auto& set = *static_cast<const Leaves*>(all);
+                       for (; which != 0; which &= which - 1)
+                         set.nearest(i, static_cast<NearestQuery&>(*queries[std::countr_zero(which)]));
                      },
-                     [](const void* all, std::uint32_t i, Query& query) {
-                       return static_cast<const Leaves*>(all)->blocks(i, static_cast<ShadowQuery&>(query));
+                     [](const void* all, std::uint32_t i, Query* const* queries, QueryMask which) {
+                       const auto& set = *static_cast<const Leaves*>(all);
+                       QueryMask blocked = 0;
+                       for (; which != 0; which &= which - 1)
+                         if (set.blocks(i, static_cast<ShadowQuery&>(*queries[std::countr_zero(which)])))
+                           blocked |= which & -which;
+                       return blocked;
                      },
                      [](const void* all, std::uint32_t i) { return static_cast<const Leaves*>(all)->bounds(i); },
                      leaves.size()});

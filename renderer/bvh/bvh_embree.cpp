@@ -61,6 +61,13 @@ bool meets(const Query& query, const Box3& box, double& start) {
   return from <= to;
 }
 
+QueryMask queries_of(const int* are_valid, RTCRayN* rays, unsigned count) {
+  QueryMask mask = 0;
+  for (unsigned lane = 0; lane < count; ++lane)
+    if (are_valid[lane] != 0) mask |= QueryMask{1} << RTCRayN_id(rays, count, lane);
+  return mask;
+}
+
 } // namespace
 
 EmbreeDevice::EmbreeDevice(int threads) : device_(rtcNewDevice(settings(threads).c_str())) {
@@ -118,37 +125,34 @@ inline float EmbreeTree::single_t(const Query& query) {
   return t < std::numeric_limits<float>::max() ? static_cast<float>(t) : single_infinity;
 }
 
-// From Embree's lanes to the leaf's own function, which knows nothing of them.
+// From Embree's lanes to the leaf's own function, which knows nothing of them. A ray's id is its query's number.
 void EmbreeTree::on_nearest(const RTCIntersectFunctionNArguments* args) {
   const Geometry& set = *static_cast<const Geometry*>(args->geometryUserPtr);
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
-  const auto show = [&](Query& query, float& tfar) {
-    const double before = query.interval.upper;
-    set.nearest(set.leaves, args->primID, query);
-    if (query.interval.upper < before) tfar = single_t(query);
-  };
   if (args->N == 1) {
     RTCRay& ray = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray;
-    return show(*queries[ray.id], ray.tfar);
+    set.nearest(set.leaves, args->primID, queries, QueryMask{1} << ray.id);
+    ray.tfar = single_t(*queries[ray.id]);
+    return;
   }
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  const QueryMask which = queries_of(args->valid, rays, args->N);
+  set.nearest(set.leaves, args->primID, queries, which);
   for (unsigned lane = 0; lane < args->N; ++lane)
-    if (args->valid[lane] != 0) show(*queries[RTCRayN_id(rays, args->N, lane)], RTCRayN_tfar(rays, args->N, lane));
+    if (args->valid[lane] != 0) RTCRayN_tfar(rays, args->N, lane) = single_t(*queries[RTCRayN_id(rays, args->N, lane)]);
 }
 
 void EmbreeTree::on_blocks(const RTCOccludedFunctionNArguments* args) {
   const Geometry& set = *static_cast<const Geometry*>(args->geometryUserPtr);
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
-  const auto show = [&](Query& query, float& tfar) {
-    if (set.blocks(set.leaves, args->primID, query)) tfar = -single_infinity;
-  };
   if (args->N == 1) {
     RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
-    return show(*queries[ray.id], ray.tfar);
+    if (set.blocks(set.leaves, args->primID, queries, QueryMask{1} << ray.id) != 0) ray.tfar = -single_infinity;
+    return;
   }
+  const QueryMask blocked = set.blocks(set.leaves, args->primID, queries, queries_of(args->valid, args->ray, args->N));
   for (unsigned lane = 0; lane < args->N; ++lane)
-    if (args->valid[lane] != 0)
-      show(*queries[RTCRayN_id(args->ray, args->N, lane)], RTCRayN_tfar(args->ray, args->N, lane));
+    if (blocked >> RTCRayN_id(args->ray, args->N, lane) & 1) RTCRayN_tfar(args->ray, args->N, lane) = -single_infinity;
 }
 
 struct EmbreeTree::SingleRay {

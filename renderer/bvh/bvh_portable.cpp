@@ -183,14 +183,16 @@ bool PortableTree::traverse(Query& query, Show&& show) const {
 }
 
 void PortableTree::nearest(Query& query) const {
+  Query* const only = &query;
   traverse(query, [&](const LeafSet& set, std::uint32_t i) {
-    set.nearest(set.leaves, i, query);
+    set.nearest(set.leaves, i, &only, 1);
     return false;
   });
 }
 
 bool PortableTree::blocks(Query& query) const {
-  return traverse(query, [&](const LeafSet& set, std::uint32_t i) { return set.blocks(set.leaves, i, query); });
+  Query* const only = &query;
+  return traverse(query, [&](const LeafSet& set, std::uint32_t i) { return set.blocks(set.leaves, i, &only, 1) != 0; });
 }
 
 } // namespace rt::bvh

@@ -29,19 +29,12 @@ public:
 
   RunResult run() {
     povray::run_many(settings_.scenes, settings_.at_once, [&](std::size_t i) { one(settings_.first + i); });
-    std::ranges::sort(result_.failures, {}, &Failure::scene);
-    std::ranges::sort(result_.refusals, {}, &Refusal::scene);
-    std::ranges::stable_sort(result_.explained, {}, &Explained::scene);
-    const std::size_t kept = std::min(settings_.keep_failures, result_.failures.size());
-    povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result_.failures[i]); });
+    finish(result_, settings_, [this](Failure& failure) { make_small(failure); });
     return std::move(result_);
   }
 
 private:
-  Block file(std::size_t number) const {
-    Dice dice(scene_seed(settings_.seed, number));
-    return random_scene(dice, Mode::color);
-  }
+  Block file(std::size_t number) const { return random_file(settings_, number, Mode::color); }
 
   void one(std::size_t number) {
     if (settings_.stop && *settings_.stop) return;

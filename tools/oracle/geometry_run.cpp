@@ -125,18 +125,12 @@ public:
       const std::size_t begin = i * scenes_in_a_run;
       batch(settings_.first + begin, std::min(scenes_in_a_run, settings_.scenes - begin));
     });
-    std::ranges::sort(result_.failures, {}, &Failure::scene);
-    std::ranges::sort(result_.refusals, {}, &Refusal::scene);
-    const std::size_t kept = std::min(settings_.keep_failures, result_.failures.size());
-    povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result_.failures[i]); });
+    finish(result_, settings_, [this](Failure& failure) { make_small(failure); });
     return std::move(result_);
   }
 
 private:
-  Block file(std::size_t number) const {
-    Dice dice(scene_seed(settings_.seed, number));
-    return random_scene(dice, Mode::geometry);
-  }
+  Block file(std::size_t number) const { return random_file(settings_, number, Mode::geometry); }
   std::vector<Ray> rays(std::size_t number) const {
     return random_rays(scene_seed(settings_.seed, number), settings_.rays);
   }

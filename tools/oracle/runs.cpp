@@ -24,6 +24,19 @@ std::optional<std::string> refusal(const scene::Scene& scene) {
   return std::move(inexact.front().message);
 }
 
+Block random_file(const RunSettings& settings, std::size_t number, Mode mode) {
+  Dice dice(scene_seed(settings.seed, number));
+  return random_scene(dice, mode);
+}
+
+void finish(RunResult& result, const RunSettings& settings, const std::function<void(Failure&)>& make_small) {
+  std::ranges::sort(result.failures, {}, &Failure::scene);
+  std::ranges::sort(result.refusals, {}, &Refusal::scene);
+  std::ranges::stable_sort(result.explained, {}, &Explained::scene);
+  const std::size_t kept = std::min(settings.keep_failures, result.failures.size());
+  povray::run_many(kept, static_cast<int>(kept), [&](std::size_t i) { make_small(result.failures[i]); });
+}
+
 void minimise(Failure& failure, const Block& file, const std::function<bool(scene::Scene&)>& fails) {
   const auto still_fails = [&](const Block& block) {
     try {

@@ -83,6 +83,12 @@ std::string list_explained(const RunResult& result);
 /// Whether all bounds hold, every feature occurred and no more than one scene in a hundred was refused.
 bool holds(const RunResult& result, Mode mode);
 
+/// The file of a run's scene.
+Block random_file(const RunSettings& settings, std::size_t number, Mode mode);
+
+/// Puts what a run found in the order of its scenes, and makes the first failures small.
+void finish(RunResult& result, const RunSettings& settings, const std::function<void(Failure&)>& make_small);
+
 /// Makes the failing file as small as it can be while it loads, can be computed exactly by POV-Ray and `fails` in some
 /// way, not necessarily the same.
 void minimise(Failure& failure, const Block& file, const std::function<bool(scene::Scene&)>& fails);

@@ -10,11 +10,6 @@
 namespace rt::lang::errors {
 namespace {
 
-std::string guess_label(std::string_view word, const std::vector<std::string_view>& names) {
-  const auto guess = nearest(word, names);
-  return guess ? fmt::format("did you mean `{}`?", *guess) : "";
-}
-
 /// The arguments of a call as the properties that they were meant to be.
 std::string as_properties(CheckContext& context, const Ast& ast, NodeId call, const StaticType& callee) {
   const NodeList arguments = ast.call(call).arguments;
@@ -32,12 +27,12 @@ std::string as_properties(CheckContext& context, const Ast& ast, NodeId call, co
   return properties;
 }
 
-void report_arguments(CheckContext& context, Span place, const Callee& callee, std::string message,
-                      std::string label = {}) {
-  context.report.add(wrong_arguments(place, std::move(message), std::move(label), {callee.takes}));
-}
-
 } // namespace
+
+std::string guess_label(std::string_view word, const std::vector<std::string_view>& names) {
+  const auto guess = nearest(word, names);
+  return guess ? fmt::format("did you mean `{}`?", *guess) : "";
+}
 
 void thing_is_called(CheckContext& context, const Unit& unit, NodeId call, const StaticType& callee) {
   const std::string_view type = callee.function ? context.name(callee.function->name) : callee.type->name;
@@ -45,24 +40,6 @@ void thing_is_called(CheckContext& context, const Unit& unit, NodeId call, const
   context.report.add(called_thing(unit.ast.span(call), fmt::format("`{}`", type),
                                   properties.empty() ? fmt::format("write `{} {{}}`", type)
                                                      : fmt::format("write `{} {{ {} }}`", type, properties)));
-}
-
-void too_many_arguments(CheckContext& context, Span place, const Callee& callee) {
-  report_arguments(context, place, callee, fmt::format("{} takes {}", callee.name, callee.most), "one too many");
-}
-
-void unknown_parameter(CheckContext& context, Span place, const Callee& callee, std::string_view word,
-                       const std::vector<std::string_view>& parameters) {
-  report_arguments(context, place, callee, fmt::format("{} has no parameter `{}`", callee.name, word),
-                   guess_label(word, parameters));
-}
-
-void argument_given_twice(CheckContext& context, Span place, const Callee& callee, std::string_view word) {
-  report_arguments(context, place, callee, fmt::format("`{}` is given twice", word));
-}
-
-void missing_argument(CheckContext& context, Span place, const Callee& callee, std::string_view parameter) {
-  report_arguments(context, place, callee, fmt::format("{} needs a value for `{}`", callee.name, parameter));
 }
 
 void method_without_thing(CheckContext& context, Span place, std::string_view method) {

@@ -23,10 +23,6 @@ Diagnostic two_forms(Span place, std::string_view name, Span other_place, std::s
                     "leave one of them out", {{other_place, "the other one is here"}});
 }
 
-Diagnostic wrong_arguments(Span place, std::string message, std::string label, std::vector<Note> notes) {
-  return make_error("E0208", place, std::move(message), std::move(label), std::move(notes));
-}
-
 Diagnostic called_thing(Span place, std::string_view thing, std::string label) {
   return make_error("E0209", place, fmt::format("{} is a thing, and things take braces", thing), std::move(label));
 }

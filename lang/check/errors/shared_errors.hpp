@@ -15,8 +15,6 @@ Diagnostic no_property(Span place, std::string message, std::string label, std::
 Diagnostic property_set_twice(Span place, std::string_view name, Span first);
 /// Two properties of different forms, which say the same in two ways.
 Diagnostic two_forms(Span place, std::string_view name, Span other_place, std::string_view other);
-/// The arguments of a call do not fit the parameters.
-Diagnostic wrong_arguments(Span place, std::string message, std::string label = {}, std::vector<Note> notes = {});
 /// A thing is called like a function.
 Diagnostic called_thing(Span place, std::string_view thing, std::string label);
 /// What stands before braces or a dot is no thing.

@@ -1,6 +1,5 @@
 #include "lang/evaluate/expressions/argument_list.hpp"
 
-#include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/expressions/expression_evaluator.hpp"
 #include "lang/values/properties.hpp"
@@ -90,16 +89,15 @@ bool ArgumentList::read(NodeId node, const Context& context, ExpressionEvaluator
       const std::string_view word = evaluation_.errors.name(ast.named(argument).symbol);
       i = static_cast<std::size_t>(std::ranges::find(signature_, word, &SignatureParameter::name) - signature_.begin());
       if (i == signature_.size()) {
-        evaluation_.errors.fail(errors::wrong_arguments(ast.named_span(argument, evaluation_.program.symbols),
-                                                        fmt::format("`{}` has no parameter `{}`", name_, word)));
-        is_fine = false;
+        is_fine =
+            refuse(errors::unknown_parameter(ast.named_span(argument, evaluation_.program.symbols), callee(), word));
         continue;
       }
+      if (has(i))
+        is_fine =
+            refuse(errors::argument_given_twice(ast.named_span(argument, evaluation_.program.symbols), callee(), word));
     } else if (++position > signature_.size() && !signature_.has_rest()) {
-      evaluation_.errors.fail(errors::wrong_arguments(
-          ast.span(argument), fmt::format("`{}` takes at most {}", name_, count_of_arguments(signature_.size())),
-          "one too many"));
-      return false;
+      return refuse(errors::too_many_arguments(ast.span(argument), callee()));
     }
     is_fine &= put(i, std::move(value), ast.span(value_node));
   }
@@ -107,23 +105,26 @@ bool ArgumentList::read(NodeId node, const Context& context, ExpressionEvaluator
 }
 
 bool ArgumentList::take(std::vector<Value> values) {
-  if (values.size() > signature_.size() && !signature_.has_rest()) {
-    evaluation_.errors.fail(
-        errors::wrong_arguments(place_, fmt::format("`{}` is called with {}, and takes at most {}", name_,
-                                                    count_of_arguments(values.size()), signature_.size())));
-    return false;
-  }
+  if (values.size() > signature_.size() && !signature_.has_rest())
+    return refuse(errors::called_with_too_many(place_, callee(), values.size()));
   bool is_fine = true;
   for (std::size_t i = 0; i < values.size(); ++i) is_fine &= put(i, std::move(values[i]), place_);
   return is_fine && are_complete();
 }
 
+bool ArgumentList::refuse(Diagnostic diagnostic) {
+  evaluation_.errors.fail(std::move(diagnostic));
+  return false;
+}
+
+errors::Callee ArgumentList::callee() const {
+  return errors::callee(name_, signature_);
+}
+
 bool ArgumentList::are_complete() {
   for (std::size_t i = 0; i < signature_.size(); ++i) {
     if (has(i) || signature_[i].is_optional) continue;
-    evaluation_.errors.fail(
-        errors::wrong_arguments(place_, fmt::format("`{}` needs a value for `{}`", name_, signature_[i].name)));
-    return false;
+    return refuse(errors::missing_argument(place_, callee(), signature_[i].name));
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (has(i) && !check_type(i)) return false;
@@ -134,12 +135,11 @@ bool ArgumentList::are_complete() {
 bool ArgumentList::check_type(std::size_t i) {
   const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
   if (is_of(arguments[i], parameter)) return true;
-  evaluation_.errors.fail(
+  return refuse(
       errors::wrong_argument(place_of(i),
                              fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),
                                          parameter.name, describe(arguments[i])),
                              "this is " + describe(arguments[i])));
-  return false;
 }
 
 Heap& ArgumentList::heap() {

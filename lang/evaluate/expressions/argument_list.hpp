@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/builtins/builtins.hpp"
+#include "lang/check/errors/argument_errors.hpp"
 #include "lang/evaluate/evaluation.hpp"
 
 namespace rt::lang {
@@ -30,6 +31,8 @@ public:
 
 private:
   bool put(std::size_t i, Value value, Span place);
+  bool refuse(Diagnostic diagnostic);
+  errors::Callee callee() const;
   bool are_complete();
   bool check_type(std::size_t i);
   Span place_of(std::size_t i) const { return i < places_.size() && places_[i].end > 0 ? places_[i] : place_; }

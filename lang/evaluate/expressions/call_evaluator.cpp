@@ -1,5 +1,6 @@
 #include "lang/evaluate/expressions/call_evaluator.hpp"
 
+#include "lang/check/errors/argument_errors.hpp"
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/expressions/argument_list.hpp"
@@ -56,6 +57,7 @@ Value CallEvaluator::call_closure(const FunctionInfo& function, Frame* parent, N
 
 bool CallEvaluator::pass_arguments(const FunctionInfo& function, Frame& frame, NodeId node, const Context& context) {
   const Ast& ast = context.ast();
+  const auto callee = [&] { return errors::callee(program_.symbols, function); };
   bool is_fine = true;
   std::size_t position = 0;
   for (const NodeId argument : ast.call(node).arguments) {
@@ -64,18 +66,17 @@ bool CallEvaluator::pass_arguments(const FunctionInfo& function, Frame& frame, N
     is_fine &= !value.is_poison();
     const std::optional<std::size_t> i = is_named ? function.find(ast.named(argument).symbol) : position++;
     if (i && *i < function.parameters.size()) {
-      frame[function.parameters[*i].slot] = std::move(value);
-      continue;
+      Value& slot = frame[function.parameters[*i].slot];
+      if (is_named && !slot.is(ValueKind::unset))
+        is_fine = refuse(errors::argument_given_twice(ast.named_span(argument, program_.symbols), callee(),
+                                                      name(ast.named(argument).symbol)));
+      slot = std::move(value);
+    } else if (is_named) {
+      is_fine = refuse(errors::unknown_parameter(ast.named_span(argument, program_.symbols), callee(),
+                                                 name(ast.named(argument).symbol)));
+    } else {
+      is_fine = refuse(errors::too_many_arguments(ast.span(argument), callee()));
     }
-    is_fine = false;
-    if (!i)
-      fail(
-          errors::wrong_arguments(ast.named_span(argument, program_.symbols),
-                                  fmt::format("the function has no parameter `{}`", name(ast.named(argument).symbol))));
-    else
-      fail(errors::wrong_arguments(ast.span(argument),
-                                   fmt::format("the function takes {}", count_of_arguments(function.parameters.size())),
-                                   "one too many"));
   }
   return is_fine;
 }
@@ -94,13 +95,8 @@ bool CallEvaluator::fill_defaults(const FunctionInfo& function, Frame& frame, Sp
   for (const FunctionInfo::Parameter& parameter : function.parameters) {
     Value& slot = frame[parameter.slot];
     if (!slot.is(ValueKind::unset)) continue;
-    if (parameter.default_value == no_node) {
-      fail(errors::wrong_arguments(
-          place, fmt::format("{} needs a value for `{}`",
-                             function.name == no_symbol ? "this function" : fmt::format("`{}`", name(function.name)),
-                             name(parameter.name))));
-      return false;
-    }
+    if (parameter.default_value == no_node)
+      return refuse(errors::missing_argument(place, errors::callee(program_.symbols, function), name(parameter.name)));
     Value value = expressions_.evaluate(parameter.default_value, {function.unit, &frame});
     if (value.is_poison()) return false;
     slot = std::move(value);
@@ -113,11 +109,8 @@ Value CallEvaluator::call_function(const Value& callee, std::vector<Value> argum
   if (!callee.is(ValueKind::closure))
     return fail(errors::not_callable(place, "only a function can be called", "this is " + describe(callee)));
   const FunctionInfo& function = *callee.closure().function;
-  if (arguments.size() > function.parameters.size()) {
-    return fail(
-        errors::wrong_arguments(place, fmt::format("this function is called with {}, and takes {}",
-                                                   count_of_arguments(arguments.size()), function.parameters.size())));
-  }
+  if (arguments.size() > function.parameters.size())
+    return fail(errors::called_with_too_many(place, errors::callee(program_.symbols, function), arguments.size()));
   const FrameScope frame(evaluation_.frames, make_frame(heap_, callee.closure().parent, function.frame_size));
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].is_poison()) return Value::poison();

@@ -111,18 +111,8 @@ Value Operators::vector_arithmetic(Op op, const Value& left, const Value& right,
 }
 
 Value Operators::color_arithmetic(Op op, const Color& a, const Color& b, Span place) {
-  switch (op) {
-  case Op::add:
-    return a + b;
-  case Op::subtract:
-    return a - b;
-  case Op::multiply:
-    return a * b;
-  case Op::divide:
-    return Color{a.r / b.r, a.g / b.g, a.b / b.b};
-  default:
-    return wrong_operands(op, Value(a), Value(b), place);
-  }
+  if (op == Op::power || op == Op::modulo) return wrong_operands(op, Value(a), Value(b), place);
+  return Color{compute(op, a.r, b.r), compute(op, a.g, b.g), compute(op, a.b, b.b)};
 }
 
 Value Operators::wrong_operands(Op op, const Value& left, const Value& right, Span place) {

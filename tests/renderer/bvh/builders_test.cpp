@@ -1,11 +1,11 @@
 // Embree's tree and our own must give the same answers, to the last bit.
 
 #include "renderer/bvh/bvh.hpp"
+#include "tests/renderer/bvh/random_vectors.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 using namespace rt;
@@ -79,22 +79,10 @@ struct Forest {
   }
 };
 
-class Random {
-public:
-  double operator()(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-  Vec3 vector(double size) {
-    const double x = (*this)(-size, size), y = (*this)(-size, size), z = (*this)(-size, size);
-    return {x, y, z};
-  }
-
-private:
-  std::mt19937_64 engine_{11};
-};
-
 } // namespace
 
 TEST_CASE("bvh: both builders find the same leaves, ties and packets included") {
-  Random random;
+  tests::RandomVectors random(11);
   for (const std::uint32_t count : {1u, 2u, 3u, 40u, 3000u}) {
     for (const double distance : {2.0, 1e4}) {
       const double radius = 0.5 / std::cbrt(count);
@@ -144,7 +132,7 @@ TEST_CASE("bvh: both builders find the same leaves, ties and packets included") 
 }
 
 TEST_CASE("bvh: both builders find all that a whole line passes, before its origin too") {
-  Random random;
+  tests::RandomVectors random(11);
   Balls balls;
   for (std::uint32_t id = 0; id < 500; ++id) balls.all.push_back({random.vector(1), 0.05, id});
   const Forest embree(balls, {}, bvh::Builder::embree), portable(balls, {}, bvh::Builder::portable);

@@ -1,9 +1,9 @@
 #include "renderer/bvh/bvh.hpp"
+#include "tests/renderer/bvh/random_vectors.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <random>
 
 using namespace rt;
 
@@ -57,20 +57,11 @@ struct World {
   bvh::Tree tree;
 };
 
-class Random {
-public:
-  double operator()(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-  Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
-
-private:
-  std::mt19937_64 engine_{7};
-};
-
 } // namespace
 
 TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes from") {
   const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
-  Random random;
+  tests::RandomVectors random(7);
   for (const auto& [place, spread, size] : {std::tuple{0.0, 1.0, 1e-2},
                                             {0.0, 1.0, 0.0},
                                             {1e7, 1.0, 1e-3},

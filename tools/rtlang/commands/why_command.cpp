@@ -1,8 +1,5 @@
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/question_arguments.hpp"
-#include "tools/rtlang/scene_arguments.hpp"
-#include "tools/terminal/console.hpp"
-#include "tools/terminal/exit_code.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -13,20 +10,9 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
-  std::shared_ptr<SceneArguments> scene;
-  std::shared_ptr<live::PictureSettings> picture;
-  std::shared_ptr<explain::QuestionText> question;
+struct Arguments : QuestionArguments {
   live::WhyOptions options;
 };
-
-int run_why(const Arguments& arguments) {
-  const explain::Question question = explain::parse(*arguments.question);
-  live::Document document = load_document(*arguments.scene, *arguments.picture);
-  if (!document.has_scene()) return exit_scene_is_wrong;
-  print(document.why(question, arguments.options));
-  return exit_fine;
-}
 
 } // namespace
 
@@ -40,7 +26,11 @@ Action declare_why(CLI::App& app) {
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
   app.footer("The numbers are the renderer's own; each hit is shown with its derivation. Colours are linear.");
-  return [arguments] { return run_why(*arguments); };
+  return [arguments] {
+    return answer_question(*arguments, [&](live::Document& document, const explain::Question& question) {
+      return document.why(question, arguments->options);
+    });
+  };
 }
 
 } // namespace rt::tools

@@ -6,19 +6,24 @@
 #include "lang/check/lint/text_lint.hpp"
 #include "lang/text/stopwatch.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 namespace rt::lang {
 namespace {
 
 // Once the scene's params are known.
-void report_unused_defines(const Program& program, Report& report) {
+void report_unused_defines(Program& program, Report& report) {
   std::vector<std::string_view> params;
   for (const Symbol symbol : program.param_names) params.push_back(program.symbols.name(symbol));
   for (const Define& define : program.defines) {
     if (define.is_used) continue;
-    const Ast& ast = define.unit->ast;
-    errors::unused_define(report, ast.span(ast.root), program.symbols.name(define.name), params);
+    // As it was typed, with the name to point at.
+    const std::string_view name = program.symbols.name(define.name);
+    const std::string value = program.sources.file(define.unit->ast.file).text;
+    const FileId file = program.sources.add("command line", {}, fmt::format("-D {}={}", name, value));
+    errors::unused_define(report, {file, 3, 3 + static_cast<std::uint32_t>(name.size())}, name, params);
   }
 }
 

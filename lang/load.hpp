@@ -16,6 +16,7 @@ namespace rt::lang {
 
 struct LoadOptions : AnalyseOptions {
   Limits limits;
+  bool needs_things = false;               ///< a scene in which nothing can be seen is an error
   ObserverMaker observe;                   ///< who looks at the scene for its expectations; without, they are not tried
   const std::atomic<bool>* stop = nullptr; ///< set from outside: loading ends early with a diagnostic
 };
@@ -30,6 +31,7 @@ struct Loaded {
   std::optional<scene::Scene> scene;
   std::vector<Diagnostic> diagnostics;
   std::vector<Diagnostic> remarks; ///< of the lint, where it was wanted: what the text alone shows
+  std::vector<Diagnostic> printed; ///< by `print`, in order: notes
   SourceMap sources;
   LoadStatistics statistics;
   Expectations expectations;

@@ -1,26 +1,12 @@
 #include "lang/builtins/builtins.hpp"
-#include "renderer/math/affine.hpp"
+#include "lang/builtins/vector_arguments.hpp"
+#include "renderer/math/degrees.hpp"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace rt::lang::builtins {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
-
-bool has_direction(BuiltinCall& c, std::size_t i) {
-  if (length(c.vector(i)) > 0) return true;
-  c.fail(i, "a vector of length 0 has no direction", "this is zero");
-  return false;
-}
-
-bool have_equal_sizes(BuiltinCall& c) {
-  if (c[0].vector_size() == c[1].vector_size()) return true;
-  c.fail(1, "both vectors must have as many numbers", "");
-  return false;
-}
 
 Value triple_product(BuiltinCall& c) {
   return dot(c.vector(0), cross(c.vector(1), c.vector(2)));
@@ -35,7 +21,7 @@ Value direction_angles(BuiltinCall& c) {
   if (!has_direction(c, 0)) return Value::poison();
   const Vec3& v = c.vector(0);
   // As angles between vectors are found: exact near 0 and 180 degrees.
-  const auto angle = [](double along, double b, double d) { return std::atan2(std::hypot(b, d), along) * degrees; };
+  const auto angle = [](double along, double b, double d) { return atan2_degrees(std::hypot(b, d), along); };
   return Vec3{angle(v.x, v.y, v.z), angle(v.y, v.x, v.z), angle(v.z, v.x, v.y)};
 }
 
@@ -84,7 +70,7 @@ Value distance_between_lines(BuiltinCall& c) {
 
 Value cylindrical(BuiltinCall& c) {
   const Vec3& p = c.vector(0);
-  return Vec3{std::hypot(p.x, p.y), std::atan2(p.y, p.x) * degrees, p.z};
+  return Vec3{std::hypot(p.x, p.y), atan2_degrees(p.y, p.x), p.z};
 }
 Value from_cylindrical(BuiltinCall& c) {
   const Vec3& p = c.vector(0);
@@ -93,7 +79,7 @@ Value from_cylindrical(BuiltinCall& c) {
 Value spherical(BuiltinCall& c) {
   const Vec3& p = c.vector(0);
   const double r = std::hypot(p.x, p.y);
-  return Vec3{length(p), std::atan2(p.y, p.x) * degrees, std::atan2(r, p.z) * degrees};
+  return Vec3{length(p), atan2_degrees(p.y, p.x), atan2_degrees(r, p.z)};
 }
 Value from_spherical(BuiltinCall& c) {
   const Vec3& p = c.vector(0);

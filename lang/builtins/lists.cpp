@@ -281,6 +281,15 @@ Value as_string(BuiltinCall& c) {
   return make_string(c.heap(), format(c[0], c.symbols()));
 }
 
+Value printed(BuiltinCall& c) {
+  std::string line;
+  for (const Value& value : c.arguments)
+    line += (line.empty() ? "" : " ") + (value.is(ValueKind::string) ? value.text() : format(value, c.symbols()));
+  c.spend(1, line.size());
+  c.print(std::move(line));
+  return {};
+}
+
 } // namespace
 
 std::span<const Builtin> lists() {
@@ -303,6 +312,7 @@ std::span<const Builtin> lists() {
       {"all", "f: function or list, list: list = ?", "whether f(x) is true for each element", quantified<false>},
       {"contains", "list: list, x: any", "whether an element equals x", contains},
       {"str", "x: any", "as text", as_string},
+      {"print", "x…: any", "tells the values and the place on standard error, and is `none`", printed},
   };
   return table;
 }

@@ -1,14 +1,11 @@
 #include "lang/builtins/builtins.hpp"
-#include "renderer/math/affine.hpp"
+#include "renderer/math/degrees.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rt::lang::builtins {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 /// `f` of a number, or of each number of a vector.
 template <auto f>
@@ -30,7 +27,7 @@ Value cosine(BuiltinCall& c) {
   return cos_degrees(c.number(0));
 }
 Value tangent(BuiltinCall& c) {
-  return sin_degrees(c.number(0)) / cos_degrees(c.number(0));
+  return tan_degrees(c.number(0));
 }
 
 /// The argument of asin or acos; rounding may have carried it a little beyond 1.
@@ -46,17 +43,17 @@ std::optional<double> ratio(BuiltinCall& c) {
 
 Value arc_sine(BuiltinCall& c) {
   const auto x = ratio(c);
-  return x ? Value(std::asin(*x) * degrees) : Value::poison();
+  return x ? Value(asin_degrees(*x)) : Value::poison();
 }
 Value arc_cosine(BuiltinCall& c) {
   const auto x = ratio(c);
-  return x ? Value(std::acos(*x) * degrees) : Value::poison();
+  return x ? Value(acos_degrees(*x)) : Value::poison();
 }
 Value arc_tangent(BuiltinCall& c) {
-  return std::atan(c.number(0)) * degrees;
+  return atan_degrees(c.number(0));
 }
 Value arc_tangent2(BuiltinCall& c) {
-  return std::atan2(c.number(0), c.number(1)) * degrees;
+  return atan2_degrees(c.number(0), c.number(1));
 }
 
 Value square_root(BuiltinCall& c) {

@@ -1,8 +1,9 @@
 #include "lang/builtins/builtins.hpp"
+#include "lang/builtins/vector_arguments.hpp"
+#include "renderer/math/degrees.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rt::lang::builtins {
 namespace {
@@ -10,18 +11,6 @@ namespace {
 /// A result of the same size as argument 0: plane vectors stay plane.
 Value like_first(BuiltinCall& c, const Vec3& v) {
   return c[0].vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
-}
-
-bool have_equal_sizes(BuiltinCall& c) {
-  if (c[0].vector_size() == c[1].vector_size()) return true;
-  c.fail(1, "both vectors must have as many numbers");
-  return false;
-}
-
-bool has_direction(BuiltinCall& c, std::size_t i) {
-  if (length(c.vector(i)) > 0) return true;
-  c.fail(i, "a vector of length 0 has no direction", "this is zero");
-  return false;
 }
 
 Value dot_product(BuiltinCall& c) {
@@ -44,7 +33,7 @@ Value distance_between(BuiltinCall& c) {
 Value angle(BuiltinCall& c) {
   if (!have_equal_sizes(c) || !has_direction(c, 0) || !has_direction(c, 1)) return Value::poison();
   const Vec3 &a = c.vector(0), &b = c.vector(1);
-  return std::atan2(length(cross(a, b)), dot(a, b)) * (180 / std::numbers::pi);
+  return atan2_degrees(length(cross(a, b)), dot(a, b));
 }
 
 Value projected(BuiltinCall& c) {

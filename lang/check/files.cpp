@@ -3,8 +3,11 @@
 #include "lang/check/errors/statement_errors.hpp"
 #include "lang/library/library.hpp"
 #include "lang/syntax/parse.hpp"
+#include "lang/text/characters.hpp"
+#include "lang/text/literals.hpp"
 #include "lang/text/stopwatch.hpp"
 #include "lang/text/suggest.hpp"
+#include "lang/text/tokens.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -50,6 +53,7 @@ Unit& Files::parse_text(std::string name, std::string path, std::string text, Sp
   options.folds_repeats = folds_repeats_;
   Parsed parsed = parse(program_.sources, file, program_.symbols, options);
   report_.take(std::move(parsed.diagnostics));
+  note_division_comments(file);
   Unit& unit = program_.units.emplace_back();
   unit.ast = std::move(parsed.ast);
   parse_seconds_ += time.seconds();
@@ -71,6 +75,27 @@ Unit& Files::parse_expression_text(std::string name, std::string text) {
   Unit& unit = program_.units.emplace_back();
   unit.ast = std::move(parsed.ast);
   return unit;
+}
+
+// `7 // 2`: a number or a name, at most one space, and a comment that is a number and nothing else.
+void Files::note_division_comments(FileId file) {
+  const std::string_view text = program_.sources.file(file).text;
+  for (std::size_t at = text.find("//"); at != std::string_view::npos; at = text.find("//", at + 2)) {
+    const std::string_view rest = text.substr(at + 2, text.find_first_of("\r\n", at) - at - 2);
+    const std::string_view divisor = rest.starts_with(' ') ? rest.substr(1) : rest;
+    if (!begins_number(divisor) || read_number(divisor).length != divisor.size()) continue;
+    const std::size_t line = text.substr(0, at).find_last_of('\n') + 1;
+    Token last{TokenKind::newline, 0, 0};
+    for (Token token = next_token(text, static_cast<std::uint32_t>(line)); token.begin < at;
+         token = next_token(text, token.end))
+      last = token;
+    const bool is_operand =
+        last.kind == TokenKind::name || (last.kind == TokenKind::number && is_digit(text[last.end - 1]));
+    if (!is_operand || last.end + 1 < at || last.end > at) continue;
+    const auto begin = static_cast<std::uint32_t>(at);
+    errors::comment_for_division(report_, {file, begin, begin + 2}, program_.sources.position(file, begin).line,
+                                 text_of(text, last), divisor);
+  }
 }
 
 bool Files::is_allowed(const fs::path& path) const {

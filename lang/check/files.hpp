@@ -42,6 +42,7 @@ public:
 private:
   Unit& parse_expression_text(std::string name, std::string text);
   std::string display_name(const std::filesystem::path& canonical) const;
+  void note_division_comments(FileId file);
   bool is_allowed(const std::filesystem::path& canonical) const;
   /// The name of the file beside it that was likely meant, where it does not exist and `place` names it; or empty.
   std::string like_named(const std::filesystem::path& canonical, Span place) const;

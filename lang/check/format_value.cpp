@@ -1,4 +1,5 @@
 #include "lang/check/program.hpp"
+#include "lang/text/literals.hpp"
 #include "lang/values/thing.hpp"
 #include "lang/values/value.hpp"
 
@@ -8,21 +9,6 @@
 
 namespace rt::lang {
 namespace {
-
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      (out += '\\') += c;
-    else if (c == '\n')
-      out += "\\n";
-    else if (c == '\t')
-      out += "\\t";
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 std::string format_color(const Color& color) {
   const auto channel = [](double linear) { return linear_to_srgb(linear) * 255; };
@@ -123,7 +109,7 @@ void append(std::string& out, const Value& value, const SymbolTable& names) {
     out += value.choice();
     return;
   case ValueKind::string:
-    out += quoted(value.text());
+    out += write_string(value.text());
     return;
   case ValueKind::record:
     append_record(out, value.record(), names);

@@ -1,17 +1,57 @@
 #include "lang/check/items.hpp"
 
+#include "lang/builtins/builtins.hpp"
 #include "lang/check/calls.hpp"
 #include "lang/check/errors/name_errors.hpp"
 #include "lang/check/errors/statement_errors.hpp"
 #include "lang/check/imports.hpp"
 #include "lang/check/properties.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 
 namespace rt::lang {
 
+namespace {
+
+bool is_operand(const Ast& ast, NodeId node) {
+  const Kind kind = ast.kind(node);
+  return kind == Kind::number || kind == Kind::name || kind == Kind::unary || kind == Kind::binary;
+}
+
+// `at: 1, 2, 3`
+void report_split_vectors(CheckContext& context, const Ast& ast, NodeId block) {
+  const NodeList items = ast.children(block);
+  for (std::size_t i = 0; i + 1 < items.size(); ++i) {
+    if (ast.kind(items[i]) != Kind::property || !is_operand(ast, ast.named(items[i]).value)) continue;
+    Span whole = ast.span(ast.named(items[i]).value);
+    std::string numbers(context.text(whole));
+    bool has_number = false;
+    for (std::size_t k = i + 1; k < items.size() && k <= i + 2 && is_operand(ast, items[k]); ++k) {
+      const Span longer{whole.file, whole.begin, ast[items[k]].end};
+      if (context.text(longer).find('\n') != std::string_view::npos) break;
+      whole = longer;
+      numbers += fmt::format(", {}", context.text(ast.span(items[k])));
+      has_number |= ast.kind(items[k]) == Kind::number;
+    }
+    if (has_number) errors::split_vector(context.report, whole, context.name(ast.named(items[i]).symbol), numbers);
+  }
+}
+
+bool is_print(const Ast& ast, NodeId node) {
+  if (ast.kind(node) != Kind::call) return false;
+  const NodeId callee = ast.call(node).callee;
+  return ast.kind(callee) == Kind::name && resolution(ast[callee]) == Resolution::builtin &&
+         all_builtins()[ast.slot(callee)]->name == "print";
+}
+
+} // namespace
+
 void ItemChecker::check_all(Unit& unit, NodeId block) {
   for (const NodeId item : unit.ast.children(block)) hoist(unit, item);
+  report_split_vectors(context_, unit.ast, block);
   for (const NodeId item : unit.ast.children(block)) check(unit, item);
 }
 
@@ -41,7 +81,7 @@ void ItemChecker::check_value_block(Unit& unit, NodeId block, std::string_view w
     if (kind == Kind::error || kind == Kind::expect) continue;
     if (is_statement)
       complain(item, "this is not a value");
-    else if (!is_last && !binds)
+    else if (!is_last && !binds && !is_print(unit.ast, item))
       complain(item, "only the last line gives the value");
     else if (is_last && binds)
       complain(item, "the value is missing after this");

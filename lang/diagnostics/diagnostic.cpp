@@ -35,18 +35,18 @@ struct Excerpt {
 };
 
 // One character of a line as it is displayed.
-struct Cell {
+struct ShownCharacter {
   std::string text;
   std::size_t column;
   std::size_t width;
 };
 
-std::vector<Cell> cells(std::string_view line, std::size_t most) {
-  std::vector<Cell> out;
+std::vector<ShownCharacter> cells(std::string_view line, std::size_t most) {
+  std::vector<ShownCharacter> out;
   std::size_t column = 0;
   while (!line.empty() && out.size() < most) {
     const Character c = decode(line);
-    Cell cell{"", column, 1};
+    ShownCharacter cell{"", column, 1};
     if (c.code_point == U'\t') {
       cell.width = tab_width - column % tab_width;
       cell.text.assign(cell.width, ' ');
@@ -70,7 +70,7 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
   for (std::size_t i = 0; i < skipped && !line.empty(); ++i) line.remove_prefix(decode(line).bytes);
   begin -= skipped;
   end -= skipped;
-  const std::vector<Cell> all = cells(line, 3 * most_before);
+  const std::vector<ShownCharacter> all = cells(line, 3 * most_before);
   const auto column = [&](std::size_t i) {
     return i < all.size() ? all[i].column : all.empty() ? 0 : all.back().column + all.back().width;
   };
@@ -83,7 +83,7 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
     to = std::min(full_width, from + widest_line);
   }
   std::size_t shift = 0; // columns that the displayed text is to the left of the source's
-  for (const Cell& cell : all) {
+  for (const ShownCharacter& cell : all) {
     if (cell.column < from) continue;
     if (cell.column + cell.width > to) break;
     if (out.text.empty() && from > 0) {
@@ -242,6 +242,13 @@ std::string_view spelling(Severity severity) {
 
 std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color) {
   return Renderer(sources, use_color).render(diagnostic);
+}
+
+std::string render_line(const Diagnostic& diagnostic, const SourceMap& sources) {
+  const Span span = diagnostic.span;
+  const Position position = sources.position(span.file, span.begin);
+  return fmt::format("{}:{}:{}: {}\n", sources.file(span.file).name, position.line, position.column,
+                     harmless(diagnostic.message));
 }
 
 } // namespace rt::lang

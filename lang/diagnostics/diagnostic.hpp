@@ -34,6 +34,8 @@ Diagnostic make_error(std::string_view code, Span place, std::string message, st
 
 /// As it is shown to people: the place, the line with carets, the notes. `use_color` adds terminal colours.
 std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color);
+/// The place and the message on one line: "ball.rtl:3:1: 0.5".
+std::string render_line(const Diagnostic& diagnostic, const SourceMap& sources);
 /// As one JSON array, for machines.
 std::string render_json(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
 

@@ -31,7 +31,7 @@ public:
       const bool was_operand = std::exchange(is_operand_, false);
       if (is_blank(token.kind)) continue;
       const std::string_view text = text_of(text_, token);
-      if (token.kind == TokenKind::symbol && text == "-" && !was_operand) {
+      if (token.kind == TokenKind::symbol && (text == "-" || text == "+") && !was_operand) {
         sign = sign.value_or(token.begin);
         continue;
       }
@@ -49,7 +49,7 @@ private:
 
   std::string_view text_;
   std::uint32_t at_, end_;
-  bool is_operand_ = false; // a `-` after it is no sign
+  bool is_operand_ = false; // a `-` or `+` after it is no sign
 };
 
 } // namespace
@@ -99,6 +99,10 @@ Diagnostic* Report::add(Diagnostic diagnostic) {
   diagnostic.span = d->span; // of the item that a model stands for
   *d = std::move(diagnostic);
   return d;
+}
+
+void Report::malformed(Diagnostic diagnostic) {
+  if (const Diagnostic* d = add(std::move(diagnostic))) malformed_.push_back(d->span);
 }
 
 Diagnostic* Report::remark(std::string_view code, Span span) {

@@ -29,6 +29,8 @@ public:
              std::vector<Note> notes = {}) {
     add(make_error(code, span, std::move(message), std::move(label), std::move(notes)));
   }
+  /// As `error`; what is said later about the same place follows from it and is left out.
+  void malformed(Diagnostic diagnostic);
   /// From now on `remark` takes what the lint has to say; it is kept apart.
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }
@@ -57,7 +59,7 @@ private:
 
   std::vector<Diagnostic> diagnostics_;
   std::vector<Diagnostic> remarks_;
-  std::vector<Span> malformed_; // where the parser found errors
+  std::vector<Span> malformed_; // where the syntax is wrong
   std::set<std::tuple<FileId, std::uint32_t, std::uint32_t, std::string>> known_;
   std::size_t errors_ = 0;
   bool is_cut_ = false; // there were more errors

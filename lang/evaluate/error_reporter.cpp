@@ -37,4 +37,8 @@ Value ErrorReporter::fail(Diagnostic error) {
   return Value::poison();
 }
 
+void ErrorReporter::print(std::string text, Span place) {
+  if (unsure_ == 0) printed_.push_back(errors::printed(report_.place(place), std::move(text)));
+}
+
 } // namespace rt::lang

@@ -6,6 +6,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rt::lang {
 
@@ -22,6 +24,12 @@ public:
 
   /// Reports an error, with the calls that led to it; poison, to be handed on.
   Value fail(Diagnostic error);
+
+  /// What `print` says, unless it may never run.
+  void print(std::string text, Span place);
+  /// What was printed since it was asked last, in order: notes.
+  std::vector<Diagnostic> take_printed() { return std::exchange(printed_, {}); }
+  std::size_t printed_count() const { return printed_.size(); }
 
   Report& report() { return report_; }
   std::string_view name(Symbol symbol) const { return symbols_.name(symbol); }
@@ -62,6 +70,7 @@ private:
   const SymbolTable& symbols_;
   const CallFrame* calls_ = nullptr;
   int unsure_ = 0;
+  std::vector<Diagnostic> printed_;
 };
 
 } // namespace rt::lang

@@ -47,7 +47,7 @@ Evaluated Evaluator::run(const ObserverMaker* observe) {
   }
   expectations_.clear();
   expectation_list_.clear();
-  return {std::move(scene_), evaluation_.limits.steps(), std::move(outcome)};
+  return {std::move(scene_), evaluation_.limits.steps(), std::move(outcome), evaluation_.errors.take_printed()};
 }
 
 void Evaluator::run_program() {

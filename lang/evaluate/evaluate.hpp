@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 namespace rt::lang {
 
@@ -15,6 +16,7 @@ struct Evaluated {
   scene::Scene scene;
   std::uint64_t steps = 0;
   Expectations expectations;
+  std::vector<Diagnostic> printed; ///< by `print`, in order: notes
 };
 
 /// Runs a checked program: what it says becomes the scene, with a camera and a light where it has none. The scene is

@@ -66,11 +66,14 @@ void Evaluator::run_nodes(Unit& unit, std::span<const NodeId> nodes, bool may_pr
       blocks_.item(node, context, target);
       continue;
     }
+    const std::size_t printed_before = evaluation_.errors.printed_count();
     const Value value = expressions_.evaluate(node, context);
-    if (is_placed(value))
+    if (is_placed(value)) {
       blocks_.put(value, unit.ast.span(node), target);
-    else
+    } else {
       made.printed = value;
+      made.is_print = value.is(ValueKind::none) && evaluation_.errors.printed_count() > printed_before;
+    }
   }
 }
 

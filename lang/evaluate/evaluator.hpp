@@ -19,6 +19,7 @@ struct StatementResult {
   Span camera_place;
   std::vector<PropertyValue> properties; ///< of the scene
   std::optional<Value> printed;          ///< of an expression that is no thing
+  bool is_print = false;                 ///< that is `print(…)`, which has said all
 };
 
 /// Runs a program's files, whole or statement by statement in a session.
@@ -43,6 +44,8 @@ public:
   StatementResult run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
   /// Finds mistakes in the input's functions that nothing has called.
   void try_session_functions();
+  /// What was printed since it was asked last.
+  std::vector<Diagnostic> take_printed() { return evaluation_.errors.take_printed(); }
   const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
   scene::Scene& scene() { return scene_; }
   scene::FieldValue scene_value(const PropertyValue& property) { return writer_.scene_value(property); }

@@ -25,6 +25,11 @@ bool is_tight(const Piece& piece) {
   return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<");
 }
 
+// `1. .. 2` and `+ +x` would say something else without the space.
+bool would_join(std::string_view left, std::string_view right) {
+  return (left.ends_with('.') && right.starts_with('.')) || (left == "+" && right == "+");
+}
+
 bool is_for(const Piece& piece) {
   return piece.kind == TokenKind::name && piece.text == "for";
 }
@@ -37,7 +42,7 @@ bool is_value_wanted(const std::vector<Piece>& pieces, std::size_t i) {
 
 // Whether the piece is a sign, not a subtraction.
 bool is_sign(const std::vector<Piece>& pieces, std::size_t i) {
-  return is_symbol(pieces[i], "-") && is_value_wanted(pieces, i);
+  return (is_symbol(pieces[i], "-") || is_symbol(pieces[i], "+")) && is_value_wanted(pieces, i);
 }
 
 bool has_clause(const FormatEntry& entry) {
@@ -101,6 +106,7 @@ bool has_space_before(const std::vector<Piece>& pieces, std::size_t i) {
   const Piece& right = pieces[i];
   if (is_comment(left.kind) || is_comment(right.kind)) return true;
   if (right.kind == TokenKind::separator || is_symbol(right, ":")) return false;
+  if (would_join(left.text, right.text)) return true;
   if (is_tight(left) || is_tight(right) || is_sign(pieces, i - 1)) return false;
   if (left.kind == TokenKind::symbol || right.kind == TokenKind::symbol) return true;
   const bool is_suffix = right.group && right.group->bracket != '{';

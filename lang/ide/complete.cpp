@@ -31,9 +31,9 @@ struct Place {
   bool is_text = false; // in a string or a comment, or in a number
 };
 
-class Scanner {
+class DocumentScanner {
 public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit DocumentScanner(std::string_view text) : text_(text) {}
 
   Place run() {
     place_.begin = text_.size();
@@ -232,7 +232,7 @@ private:
 
 SessionCompletion complete(const Session& session, std::string_view text, std::size_t cursor) {
   const std::string_view before = text.substr(0, cursor);
-  const Place place = Scanner(before).run();
+  const Place place = DocumentScanner(before).run();
   if (place.is_text) return {cursor, {}};
   Candidates candidates(session);
   candidates.add_place(place);

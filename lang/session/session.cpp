@@ -37,6 +37,7 @@ struct Session::State {
     SessionResult result;
     std::optional<Document> made = change.finish();
     result.diagnostics = core.report.diagnostics();
+    result.printed = core.evaluator.take_printed();
     if (!made) {
       scene.show(document()); // evaluation may have left its own settings in it
       return result;

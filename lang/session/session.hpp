@@ -32,6 +32,7 @@ struct SessionResult {
   std::vector<Diagnostic> diagnostics; ///< errors where it is not accepted; else warnings and notes
   std::vector<std::string> changes;    ///< what happened to the document, a sentence each
   std::vector<PrintedValue> values;
+  std::vector<Diagnostic> printed; ///< by `print`, in order: notes
 };
 
 /// A thing of the scene as `:list` shows it.

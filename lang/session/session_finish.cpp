@@ -149,7 +149,7 @@ void SessionChange::take_out_printed() {
   std::erase_if(entries_, [this](const Entry& entry) {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
     const Value& value = *entry.fresh->made.printed;
-    if (value.is_poison()) return true;
+    if (value.is_poison() || entry.fresh->made.is_print) return true;
     values.push_back(
         {value.is(ValueKind::vector) ? readable(value) : format(value, core_.program.symbols), as_color(value)});
     if (value.is(ValueKind::number)) values.back().color.reset();

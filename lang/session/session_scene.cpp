@@ -23,7 +23,7 @@ void for_each_with(const Document& document, int traits, F&& f) {
   }
 }
 
-std::string text(const Vec3& v) {
+std::string point_text(const Vec3& v) {
   return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z);
 }
 
@@ -150,7 +150,8 @@ public:
     for (const scene::Object& object : statement.made.objects) add(object);
     for (const scene::Light& light : statement.made.lights) add(light);
     if (statement.made.camera)
-      put("", "camera", fmt::format("{} to {}", text(statement.made.camera->at), text(statement.made.camera->look_at)));
+      put("", "camera",
+          fmt::format("{} to {}", point_text(statement.made.camera->at), point_text(statement.made.camera->look_at)));
     is_first_ = true;
   }
 
@@ -176,7 +177,8 @@ private:
     const Box3 box = scene::bounds(scene_, object);
     const bool hides = !object.is_visible;
     put(own, kind_.empty() ? noun(scene_.shapes, object.shape) : kind_,
-        (box.is_finite() ? "around " + text(box.center()) : std::string("endless")) + (hides ? ", not visible" : ""));
+        (box.is_finite() ? "around " + point_text(box.center()) : std::string("endless")) +
+            (hides ? ", not visible" : ""));
   }
 
   void add(const scene::Light& light) {
@@ -188,11 +190,11 @@ private:
   template <class L>
   static std::string place_of(const L& light) {
     if constexpr (requires { light.at, light.look_at; })
-      return fmt::format("{} to {}", text(light.at), text(light.look_at));
+      return fmt::format("{} to {}", point_text(light.at), point_text(light.look_at));
     else if constexpr (requires { light.at; })
-      return "at " + text(light.at);
+      return "at " + point_text(light.at);
     else if constexpr (requires { light.direction; })
-      return "along " + text(light.direction);
+      return "along " + point_text(light.direction);
     else
       return {};
   }

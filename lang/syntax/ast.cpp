@@ -158,6 +158,8 @@ std::string_view spelling(Op op) {
     return "%";
   case Op::intersect:
     return "&";
+  case Op::plus:
+    return "+";
   case Op::negate:
     return "-";
   case Op::power:

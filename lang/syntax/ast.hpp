@@ -75,6 +75,7 @@ enum class Op : std::uint8_t {
   modulo,
   intersect, // * / % &
   negate,
+  plus, // -x, +x
   power,
 };
 

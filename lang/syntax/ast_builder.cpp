@@ -16,7 +16,7 @@ constexpr std::uint32_t raw(Symbol symbol) {
 }
 
 // Loosest first.
-enum Precedence : std::uint8_t { p_or = 1, p_and, p_not, p_comparison, p_range, p_sum, p_product, p_negation, p_power };
+enum Precedence : std::uint8_t { p_or = 1, p_and, p_not, p_comparison, p_range, p_sum, p_product, p_sign, p_power };
 
 std::uint8_t precedence_of(Op op) {
   switch (op) {
@@ -43,7 +43,8 @@ std::uint8_t precedence_of(Op op) {
   case Op::intersect:
     return p_product;
   case Op::negate:
-    return p_negation;
+  case Op::plus:
+    return p_sign;
   case Op::power:
     return p_power;
   }
@@ -219,7 +220,7 @@ Complaint AstBuilder::prefix(Op op, std::uint32_t begin) {
   Complaint complaint = Complaint::none;
   if (op == Op::not_ && has_operator() && operators_.back().precedence > p_not) {
     complaint = Complaint::misplaced_not;
-    precedence = p_negation;
+    precedence = p_sign;
   }
   operators_.push_back({op, Form::prefix, precedence, begin});
   return complaint;
@@ -275,8 +276,8 @@ void AstBuilder::reduce() {
   }
   const Operand right = pop();
   if (op.form == Form::prefix) {
-    if (op.op == Op::negate && ast_.kind(right.node) == Kind::number) { // a sign is part of the literal
-      ast_.set_number(right.node, -ast_.number(right.node));
+    if (op.op != Op::not_ && ast_.kind(right.node) == Kind::number) { // a sign is part of the literal
+      if (op.op == Op::negate) ast_.set_number(right.node, -ast_.number(right.node));
       ast_[right.node].begin = op.begin;
       operands_.push_back({right.node, 1, op.begin, right.end});
       return;

@@ -1,4 +1,5 @@
 #include "lang/syntax/ast.hpp"
+#include "lang/text/literals.hpp"
 
 #include <fmt/format.h>
 
@@ -86,21 +87,6 @@ std::string_view word(Kind kind) {
   return "";
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (c == '\n') {
-      out += "\\n";
-    } else if (c == '\t') {
-      out += "\\t";
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
-
 class Dumper {
 public:
   Dumper(const Ast& ast, const SourceMap& sources, const SymbolTable& symbols)
@@ -122,7 +108,7 @@ private:
     case Kind::include:
     case Kind::use:
     case Kind::string:
-      return ' ' + quoted(ast_.text(id));
+      return ' ' + write_string(ast_.text(id));
     case Kind::number:
       return fmt::format(" {}", ast_.number(id));
     case Kind::color:

@@ -173,10 +173,12 @@ struct keyword : seq<word, is<W>> {};
 
 struct digits : plus<peg::digit> {};
 struct fraction : seq<one<'.'>, digits> {};
-struct bare_point : seq<one<'.'>, not_at<sor<one<'.'>, peg::identifier_first>>> {}; // an error: `1.`
 struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
+/// `1.`, but neither the range `1..2` nor the member `1.x`.
+struct bare_point : seq<one<'.'>, sor<at<exponent>, not_at<sor<one<'.'>, peg::identifier_first>>>> {};
+struct decimal : seq<sor<seq<digits, opt<sor<fraction, bare_point>>>, fraction>, opt<exponent>> {};
 struct suffix_word : plus<peg::identifier_other> {}; // a unit, or an error
-struct number : seq<sor<seq<digits, opt<sor<fraction, bare_point>>>, fraction>, opt<exponent>, opt<suffix_word>> {};
+struct number : seq<decimal, opt<suffix_word>> {};
 
 struct string_rest : seq<star<sor<seq<one<'\\'>, peg::not_one<'\n'>>, peg::not_one<'"', '\n', '\\'>>>, one<'"'>> {};
 struct string_literal : seq<one<'"'>, required<string_rest>> {};
@@ -222,8 +224,7 @@ struct comprehension_rest : seq<clause, star<wide_gap, sor<clause, filter>>> {};
 
 // What stands for itself, for speed: most values are numbers and names with nothing behind them. All of it could be
 // parsed as an expression, to the same effect.
-struct plain_number_text
-    : seq<opt<one<'-'>>, digits, opt<fraction>, opt<exponent>, not_at<sor<peg::identifier_other, one<'.'>>>> {};
+struct plain_number_text : seq<opt<one<'-', '+'>>, decimal, not_at<sor<peg::identifier_other, one<'.'>>>> {};
 struct plain_number : seq<plain_number_text, star<blank>, at<one<',', ']', '}', '\n', ';'>>> {};
 struct plain_name : seq<plain_word, star<blank>, at<one<',', ']', '}', ';'>>> {};
 struct value : sor<plain_number, plain_name, expression> {};
@@ -268,15 +269,16 @@ struct suffixes : star<any_suffix> {};
 
 struct minus : one<'-'> {};
 struct prefix_not : keyword<Word::not_> {};
-struct foreign_prefix : seq<one<'!', '+'>, not_at<one<'='>>> {}; // an error
-struct prefix : sor<minus, seq<at<one<'n'>>, prefix_not>, foreign_prefix> {};
+struct plus_sign : seq<one<'+'>, not_at<one<'='>>> {};      // the second of `++` is an error
+struct foreign_prefix : seq<one<'!'>, not_at<one<'='>>> {}; // an error
+struct prefix : sor<minus, plus_sign, seq<at<one<'n'>>, prefix_not>, foreign_prefix> {};
 
 struct operand_rest : seq<primary, suffixes> {};
 struct operand : sor<seq<plus<prefix, wide_gap>, required<operand_rest>>, operand_rest> {};
 
-struct infix_symbol : sor<string<'.', '.', '<'>, string<'.', '.'>, string<'=', '='>, string<'!', '='>, string<'<', '='>,
-                          string<'>', '='>, string<'&', '&'>, string<'|', '|'>, string<'*', '*'>, equals,
-                          one<'+', '-', '*', '/', '%', '^', '|', '&', '<', '>'>> {};
+struct infix_symbol : sor<string<'.', '.', '.'>, string<'.', '.', '<'>, string<'.', '.'>, string<'=', '='>,
+                          string<'!', '='>, string<'<', '='>, string<'>', '='>, string<'&', '&'>, string<'|', '|'>,
+                          string<'*', '*'>, equals, one<'+', '-', '*', '/', '%', '^', '|', '&', '<', '>'>> {};
 struct infix_word : seq<word, when<&ParseState::word_is_infix>> {};
 struct infix : sor<seq<at<one<'.', '=', '!', '<', '>', '&', '|', '+', '-', '*', '/', '%', '^'>>, infix_symbol>,
                    seq<at<one<'a', 'b', 'o'>>, infix_word>> {};

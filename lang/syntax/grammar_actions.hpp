@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/syntax/grammar.hpp"
+#include "lang/text/characters.hpp"
 #include "lang/text/literals.hpp"
 
 #include <cmath>
@@ -46,7 +47,8 @@ struct action<plain_number> : placed<action<plain_number>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     const NumberLiteral literal = read_signed_number(state.text.substr(begin, end - begin));
     const std::uint32_t last = begin + literal.length;
-    if (std::isinf(literal.value)) return state.number(begin + (state.text[begin] == '-' ? 1 : 0), last); // reports it
+    if (std::isinf(literal.value))
+      return state.number(begin + (is_sign(state.text[begin]) ? 1 : 0), last); // reports it
     state.build.number(begin, last, literal.value);
   }
 };
@@ -165,6 +167,10 @@ struct action<minus> : placed<action<minus>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t) { state.build.prefix(Op::negate, begin); }
 };
 template <>
+struct action<plus_sign> : placed<action<plus_sign>> {
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) { state.plus_sign(begin, end); }
+};
+template <>
 struct action<prefix_not> : placed<action<prefix_not>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
     state.complain(state.build.prefix(Op::not_, begin), begin, end);
@@ -172,7 +178,9 @@ struct action<prefix_not> : placed<action<prefix_not>> {
 };
 template <>
 struct action<foreign_prefix> : placed<action<foreign_prefix>> {
-  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) { state.foreign_prefix(begin, end); }
+  static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {
+    state.report(foreign_operator(state.span(begin, end), "!"));
+  }
 };
 template <>
 struct action<infix_symbol> : placed<action<infix_symbol>> {

@@ -134,11 +134,12 @@ void ParseState::color(std::uint32_t begin, std::uint32_t end) {
   build.leaf(Kind::color, begin, end, is_whole ? read_color(digits) : 0);
 }
 
-void ParseState::foreign_prefix(std::uint32_t begin, std::uint32_t end) {
-  const bool is_doubled = text[begin] == '+' && begin > 0 && text[begin - 1] == '+';
-  const std::uint32_t first = is_doubled ? begin - 1 : begin;
-  report(foreign_operator(span(first, end), text.substr(first, end - first)));
-  if (is_doubled) throw SyntaxError{end};
+void ParseState::plus_sign(std::uint32_t begin, std::uint32_t end) {
+  if (begin > 0 && text[begin - 1] == '+') {
+    report(foreign_operator(span(begin - 1, end), "++"));
+    throw SyntaxError{end};
+  }
+  build.prefix(Op::plus, begin);
 }
 
 // `location <0, 1, 2>` in a block: nobody compares there.
@@ -146,14 +147,15 @@ bool ParseState::begins_foreign_vector(std::uint32_t at) const {
   const bool is_item = build.top().begin == item_ && (open_.empty() || open_.back().bracket == '{');
   if (!is_item) return false;
   Token token = next_token(text, at + 1);
-  if (text_of(text, token) == "-") token = next_token(text, token.end);
+  if (text_of(text, token) == "-" || text_of(text, token) == "+") token = next_token(text, token.end);
   return token.kind == TokenKind::number && text_of(text, next_token(text, token.end)) == ",";
 }
 
 void ParseState::infix_symbol(std::uint32_t begin, std::uint32_t end) {
   const std::string_view op = text.substr(begin, end - begin);
   const char second = op.size() > 1 ? op[1] : '\0';
-  if (op[0] == '.') return complain(build.range(op.size() == 3), begin, end);
+  if (op == "...") report(foreign_operator(span(begin, end), op));
+  if (op[0] == '.') return complain(build.range(op == "..<"), begin, end);
   if ((op[0] == '=' && second != '=') || (second == op[0] && op[0] != '='))
     report(foreign_operator(span(begin, end), op));
   if (op == "<" && begins_foreign_vector(begin)) fail(Expected::property_colon, begin);

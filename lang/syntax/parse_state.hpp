@@ -74,7 +74,7 @@ public:
   // Literals, operators and constructs whose parts need a second look
   void number(std::uint32_t begin, std::uint32_t end);
   void color(std::uint32_t begin, std::uint32_t end);
-  void foreign_prefix(std::uint32_t begin, std::uint32_t end);
+  void plus_sign(std::uint32_t begin, std::uint32_t end);
   void infix_symbol(std::uint32_t begin, std::uint32_t end);
   void infix_word(std::uint32_t begin, std::uint32_t end);
   void close_block(std::uint32_t end);

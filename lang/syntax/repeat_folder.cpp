@@ -42,40 +42,40 @@ bool is_plain(Kind kind) {
 }
 
 // How `a` and `b` of a node are to be read when two items are compared.
-enum class Field : std::uint8_t { same, node, link, free };
-struct Fields {
-  Field a, b;
+enum class Slot : std::uint8_t { same, node, link, free };
+struct Slots {
+  Slot a, b;
 };
 
-Fields fields_of(Kind kind) {
+Slots slots_of(Kind kind) {
   switch (kind) {
   case Kind::number:
   case Kind::color:
-    return {Field::free, Field::free};
+    return {Slot::free, Slot::free};
   case Kind::numbers:
-    return {Field::free, Field::same};
+    return {Slot::free, Slot::same};
   case Kind::string:
-    return {Field::free, Field::same}; // compared by what it says
+    return {Slot::free, Slot::same}; // compared by what it says
   case Kind::list:
   case Kind::record:
   case Kind::block:
   case Kind::call:
-    return {Field::link, Field::same};
+    return {Slot::link, Slot::same};
   case Kind::property:
   case Kind::argument:
-    return {Field::same, Field::node};
+    return {Slot::same, Slot::node};
   case Kind::member:
-    return {Field::node, Field::same};
+    return {Slot::node, Slot::same};
   case Kind::range:
-    return {Field::node, Field::link};
+    return {Slot::node, Slot::link};
   case Kind::unary:
-    return {Field::node, Field::same};
+    return {Slot::node, Slot::same};
   case Kind::index:
   case Kind::override_:
   case Kind::binary:
-    return {Field::node, Field::node};
+    return {Slot::node, Slot::node};
   default:
-    return {Field::same, Field::same};
+    return {Slot::same, Slot::same};
   }
 }
 
@@ -94,10 +94,10 @@ std::uint64_t RepeatFolder::hash(const Model& item) const {
   const auto mix = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15u, hash ^= hash >> 29; };
   for (std::uint32_t n = item.first_node; n <= item.last_node; ++n) {
     const Node& node = ast.nodes[n];
-    const Fields fields = fields_of(node.kind);
+    const Slots fields = slots_of(node.kind);
     std::uint64_t word = static_cast<std::uint64_t>(node.kind) << 8 | static_cast<std::uint64_t>(node.op);
-    if (fields.a == Field::same) word |= std::uint64_t{node.a} << 16;
-    if (fields.b == Field::same) word ^= std::uint64_t{node.b} << 40;
+    if (fields.a == Slot::same) word |= std::uint64_t{node.a} << 16;
+    if (fields.b == Slot::same) word ^= std::uint64_t{node.b} << 40;
     mix(word);
   }
   return hash;
@@ -108,15 +108,15 @@ bool RepeatFolder::has_wording_of(const Model& item, const Model& model) const {
   const Ast& ast = builder_.ast();
   const std::uint32_t node_shift = item.first_node - model.first_node;
   const std::uint32_t link_shift = item.first_link - model.first_link;
-  const auto agree = [&](Field field, std::uint32_t x, std::uint32_t y) {
+  const auto agree = [&](Slot field, std::uint32_t x, std::uint32_t y) {
     switch (field) {
-    case Field::same:
+    case Slot::same:
       return x == y;
-    case Field::node:
+    case Slot::node:
       return x - node_shift == y;
-    case Field::link:
+    case Slot::link:
       return x - link_shift == y;
-    case Field::free:
+    case Slot::free:
       break;
     }
     return true;
@@ -126,7 +126,7 @@ bool RepeatFolder::has_wording_of(const Model& item, const Model& model) const {
     const Node& b = ast.nodes[n];
     if (a.kind != b.kind || a.op != b.op) return false;
     if (a.kind == Kind::string && ast.strings[a.a] != ast.strings[b.a]) return false;
-    const Fields fields = fields_of(a.kind);
+    const Slots fields = slots_of(a.kind);
     if (!agree(fields.a, a.a, b.a) || !agree(fields.b, a.b, b.b)) return false;
   }
   for (std::uint32_t i = 0; i < model.links; ++i) {

@@ -42,7 +42,7 @@ std::optional<RepeatText> RepeatText::of(std::string_view item, std::span<const 
     const char c = item[at];
     if (is_name_start(c)) {
       while (at < item.size() && is_name_part(item[at])) ++at;
-    } else if (is_digit(c) || (c == '-' && is_one_of(before_number, last))) {
+    } else if (begins_number(item.substr(at)) || (is_sign(c) && is_one_of(before_number, last))) {
       const NumberLiteral literal = read_signed_number(item.substr(at));
       const std::uint32_t end = at + literal.length;
       const std::size_t number = repeat_text.pieces_.size();

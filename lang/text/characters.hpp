@@ -3,6 +3,9 @@
 /// What a byte of a scene may be part of; ASCII, whatever the locale.
 namespace rt::lang {
 
+constexpr bool is_sign(char c) {
+  return c == '-' || c == '+';
+}
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }

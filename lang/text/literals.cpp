@@ -31,6 +31,19 @@ int hex_value(char c) {
   return (c | 0x20) - 'a' + 10;
 }
 
+// Where the digits of the exponent that begins at `at` are; 0 where none does.
+std::size_t exponent_digits(std::string_view text, std::size_t at) {
+  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return 0;
+  const std::size_t digits = at + 1 + (at + 1 < text.size() && is_sign(text[at + 1]) ? 1 : 0);
+  return digits < text.size() && is_digit(text[digits]) ? digits : 0;
+}
+
+// Whether the point at `at` belongs to the digits before it: not that of `1..2`, nor that of `1.x`.
+bool owns_point(std::string_view text, std::size_t at) {
+  const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+  return (next != '.' && !is_name_start(next)) || exponent_digits(text, at + 1) > 0;
+}
+
 } // namespace
 
 // A mantissa below 2^53 and a power of ten up to 22 are exact, and one multiplication or division rounds once, to the
@@ -45,17 +58,14 @@ NumberLiteral read_number(std::string_view text) {
     ++digits;
   };
   while (digit_at(at)) take();
-  if (at < text.size() && text[at] == '.' && digit_at(at + 1)) {
+  if (at < text.size() && text[at] == '.' && owns_point(text, at)) {
     for (++at; digit_at(at); --scale) take();
   }
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    const bool has_sign = at + 1 < text.size() && (text[at + 1] == '+' || text[at + 1] == '-');
-    if (std::size_t i = at + (has_sign ? 2 : 1); digit_at(i)) {
-      int exponent = 0;
-      for (; digit_at(i); ++i) exponent = exponent > 9999 ? exponent : exponent * 10 + (text[i] - '0');
-      scale += text[at + 1] == '-' ? -exponent : exponent;
-      at = i;
-    }
+  if (std::size_t i = exponent_digits(text, at); i > 0) {
+    int exponent = 0;
+    for (; digit_at(i); ++i) exponent = exponent > 9999 ? exponent : exponent * 10 + (text[i] - '0');
+    scale += text[at + 1] == '-' ? -exponent : exponent;
+    at = i;
   }
   const auto length = static_cast<std::uint32_t>(at);
   if (digits > 19 || mantissa > exact_limit || scale > 22 || scale < -22)
@@ -64,11 +74,16 @@ NumberLiteral read_number(std::string_view text) {
   return {scale < 0 ? whole / exact_power[-scale] : whole * exact_power[scale], length};
 }
 
+bool begins_number(std::string_view text) {
+  const std::size_t point = text.starts_with('.') ? 1 : 0;
+  return text.size() > point && is_digit(text[point]);
+}
+
 NumberLiteral read_signed_number(std::string_view text) {
-  const std::uint32_t sign = text.starts_with('-') ? 1 : 0;
-  if (text.size() <= sign || !is_digit(text[sign])) return {0, 0};
+  const std::uint32_t sign = !text.empty() && is_sign(text[0]) ? 1 : 0;
+  if (!begins_number(text.substr(sign))) return {0, 0};
   const NumberLiteral number = read_number(text.substr(sign));
-  return {sign != 0 ? -number.value : number.value, sign + number.length};
+  return {text[0] == '-' ? -number.value : number.value, sign + number.length};
 }
 
 double degrees_per(std::string_view suffix) {
@@ -112,6 +127,21 @@ std::string read_string(std::string_view text, std::vector<std::uint32_t>& bad_e
     }
   }
   return out;
+}
+
+std::string write_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
 }
 
 std::uint32_t read_color(std::string_view digits) {

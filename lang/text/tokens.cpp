@@ -1,6 +1,7 @@
 #include "lang/text/tokens.hpp"
 
 #include "lang/text/characters.hpp"
+#include "lang/text/literals.hpp"
 
 #include <algorithm>
 
@@ -34,7 +35,7 @@ private:
 
   TokenKind scan(char c) {
     if (is_name_start(c)) return skip_while(is_name_part), TokenKind::name;
-    if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return number();
+    if (begins_number(text_.substr(at_))) return number();
     switch (c) {
     case '\n':
       return ++at_, TokenKind::newline;
@@ -59,10 +60,7 @@ private:
   }
 
   TokenKind number() {
-    skip_while(is_digit);
-    if (peek() == '.' && is_digit(peek(1))) ++at_, skip_while(is_digit);
-    const std::uint32_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
-    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) at_ += 1 + sign;
+    at_ += read_number(text_.substr(at_)).length;
     skip_while(is_name_part);
     return TokenKind::number;
   }
@@ -87,7 +85,7 @@ private:
       at_ += 2;
       return TokenKind::block_comment;
     }
-    for (const std::string_view symbol : {"..<", "..", "==", "!=", "<=", ">=", "=>"}) {
+    for (const std::string_view symbol : {"...", "..<", "..", "==", "!=", "<=", ">=", "=>"}) {
       if (text_.substr(at_, symbol.size()) == symbol) {
         at_ += static_cast<std::uint32_t>(symbol.size());
         return TokenKind::symbol;

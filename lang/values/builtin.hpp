@@ -31,6 +31,8 @@ public:
   virtual Value call(const Value& function, std::vector<Value> function_arguments) = 0;
   /// Reports a mistake at an argument and gives poison.
   virtual Value fail(std::size_t argument, const std::string& message, const std::string& label = {}) = 0;
+  /// Tells somebody who reads along, with the place of the call.
+  virtual void print(std::string text) = 0;
   /// Counts `steps` of work, and makes sure that `bytes` more may be allocated. Does not return when a limit is passed:
   /// that ends the evaluation.
   virtual void spend(std::uint64_t steps, std::uint64_t bytes = 0) = 0;

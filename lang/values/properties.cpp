@@ -1,5 +1,6 @@
 #include "lang/values/properties.hpp"
 
+#include "lang/text/characters.hpp"
 #include "lang/values/builtin.hpp"
 #include "lang/values/css_colors.hpp"
 #include "lang/values/thing.hpp"
@@ -7,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace rt::lang {
@@ -63,13 +66,29 @@ std::optional<Diagnostic> check_size(const Property& property, const Value& valu
   return mistake_of(property, check_size(property.constraint, v));
 }
 
+// How to write the colour that a vector or a string is meant to be.
+std::optional<std::string> color_way_out(const Value& value, bool takes_material = false) {
+  if (value.is_vector3()) {
+    const Vec3& v = value.vector();
+    const bool is_bytes = std::max({v.x, v.y, v.z}) > 1;
+    if (!is_bytes)
+      return fmt::format("write `rgb({}, {}, {})`", format_number(v.x), format_number(v.y), format_number(v.z));
+    const auto byte = [](double x) { return std::lround(std::clamp(x, 0.0, 255.0)); };
+    return fmt::format("write `#{:02x}{:02x}{:02x}`", byte(v.x), byte(v.y), byte(v.z));
+  }
+  if (!value.is(ValueKind::string)) return std::nullopt;
+  const std::string& text = value.text();
+  const bool is_name =
+      find_css_color(text) || (takes_material && !text.empty() && std::ranges::all_of(text, is_name_part));
+  if (is_name || text.starts_with('#')) return fmt::format("write `{}`, without quotes", text);
+  return std::nullopt;
+}
+
 std::optional<Diagnostic> check_color(const Property& property, const Value& value) {
   const auto color = as_color(value);
   if (!color) {
     Diagnostic mistake = wrong_type(property, value);
-    if (value.is_vector3())
-      mistake.notes.push_back(
-          {std::nullopt, "three numbers make a colour with `rgb(r, g, b)`, or `linear_rgb(r, g, b)`"});
+    mistake.label = color_way_out(value).value_or(mistake.label);
     if (has_category(value, Category::material))
       mistake.notes.push_back({std::nullopt, "a material has a colour of its own: `m.color`"});
     return mistake;
@@ -155,6 +174,13 @@ std::optional<Diagnostic> check_resolution(const Property& property, const Value
   return mistake_of(property, check(property.constraint, Vec3{size.x, size.y, size.y}));
 }
 
+std::optional<Diagnostic> check_material(const Property& property, const Value& value) {
+  if (is_material_like(value)) return std::nullopt;
+  Diagnostic mistake = wrong_type(property, value);
+  mistake.label = color_way_out(value, true).value_or(mistake.label);
+  return mistake;
+}
+
 std::optional<Diagnostic> require(bool is_fine, const Property& property, const Value& value) {
   return is_fine ? std::nullopt : std::optional(wrong_type(property, value));
 }
@@ -217,7 +243,7 @@ std::optional<Diagnostic> check_value(const Property& property, const Value& val
   case PropertyType::resolution:
     return check_resolution(property, value);
   case PropertyType::material:
-    return require(is_material_like(value), property, value);
+    return check_material(property, value);
   case PropertyType::text:
     return require(value.is(ValueKind::string), property, value);
   }

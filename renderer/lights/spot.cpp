@@ -1,5 +1,7 @@
 #include "renderer/lights/spot.hpp"
 
+#include "renderer/math/degrees.hpp"
+
 namespace rt::scene {
 
 std::span<const Field> fields(const SpotLight*) {

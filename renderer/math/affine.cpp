@@ -1,31 +1,10 @@
 #include "renderer/math/affine.hpp"
 
+#include "renderer/math/degrees.hpp"
+
 #include <cmath>
-#include <numbers>
 
 namespace rt {
-
-double sin_degrees(double degrees) {
-  const double turn = std::fmod(degrees, 360.0); // exact
-  const double a = std::abs(turn);
-  const double sign = std::signbit(turn) ? -1.0 : 1.0;
-  if (a == 0 || a == 180) return 0;
-  if (a == 30 || a == 150) return sign * 0.5;
-  if (a == 210 || a == 330) return sign * -0.5;
-  if (a == 90) return sign;
-  if (a == 270) return -sign;
-  return std::sin(turn * (std::numbers::pi / 180));
-}
-
-double cos_degrees(double degrees) {
-  const double a = std::abs(std::fmod(degrees, 360.0)); // exact
-  if (a == 90 || a == 270) return 0;
-  if (a == 60 || a == 300) return 0.5;
-  if (a == 120 || a == 240) return -0.5;
-  if (a == 0) return 1;
-  if (a == 180) return -1;
-  return std::cos(a * (std::numbers::pi / 180));
-}
 
 Affine Affine::rotating(const Vec3& axis, double degrees) {
   const Vec3 u = normalize(axis);

@@ -55,8 +55,4 @@ std::optional<double> similarity_scale(const Affine& a);
 /// The smallest box around the image of `box`; infinite sides stay infinite.
 Box3 transform_box(const Affine& a, const Box3& box);
 
-/// The sine and cosine of an angle in degrees; exact at multiples of 90°, and of 30° where the value is 0, ±½ or ±1.
-double sin_degrees(double degrees);
-double cos_degrees(double degrees);
-
 } // namespace rt

@@ -1,6 +1,6 @@
 #include "renderer/render/camera_rays.hpp"
 
-#include "renderer/math/affine.hpp"
+#include "renderer/math/degrees.hpp"
 
 namespace rt {
 
@@ -11,8 +11,7 @@ CameraRays::CameraRays(const scene::Camera& camera, scene::Resolution size)
   const Vec3 right = normalize(cross(forward_, camera.up));
   const Vec3 up = cross(right, forward_);
   // Half the width of the picture, at distance 1 or, without perspective, in the scene itself.
-  const double half_width =
-      is_orthographic_ ? camera.width / 2 : sin_degrees(camera.fov / 2) / cos_degrees(camera.fov / 2);
+  const double half_width = is_orthographic_ ? camera.width / 2 : tan_degrees(camera.fov / 2);
   right_ = right * half_width;
   down_ = up * (-half_width * height_ / width_);
 }

@@ -40,7 +40,8 @@ std::vector<fs::path> scenes() {
 }
 
 /// A scene may begin with `// options: ` and what the command line is to say: -D name=value, --max-steps N, …, --stop;
-/// --test: its expectations are tried, by nobody who sees; --lint: the lint looks at it.
+/// --test: its expectations are tried, by nobody who sees; --lint: the lint looks at it; --picture: it is to be
+/// rendered.
 LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
   constexpr std::string_view mark = "// options: ";
   LoadOptions options;
@@ -57,6 +58,7 @@ LoadOptions options_of(const std::string& text, const std::atomic<bool>& stop) {
     if (word == "--max-objects") words >> options.limits.objects;
     if (word == "--max-memory") words >> options.limits.memory_bytes;
     if (word == "--lint") options.lint = true;
+    if (word == "--picture") options.needs_things = true;
     if (word == "--stop") options.stop = &stop;
     if (word == "--test") options.observe = [](const rt::scene::Scene&) { return nullptr; };
   }
@@ -74,6 +76,7 @@ Loaded load(std::string name, std::string text) {
 std::string report_of(std::string name, std::string text) {
   const Loaded loaded = load(std::move(name), std::move(text));
   std::string out;
+  for (const Diagnostic& line : loaded.printed) out += render(line, loaded.sources, false) + '\n';
   for (const Diagnostic& diagnostic : loaded.diagnostics) out += render(diagnostic, loaded.sources, false) + '\n';
   for (const Diagnostic& diagnostic : loaded.expectations.failures)
     out += render(diagnostic, loaded.sources, false) + '\n';

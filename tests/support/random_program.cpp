@@ -136,7 +136,7 @@ std::string RandomProgram::literal() {
   case 2:
     return pick({"true", "false", "none"});
   case 3:
-    return pick({"30deg", "0.5turn", "1e-3", "2.5E2"});
+    return pick({"30deg", "0.5turn", "1e-3", "2.5E2", ".5", "5.", "7.e2"});
   default:
     return in_order({std::to_string(below(100)), chance(40) ? "." + std::to_string(below(1000)) : ""});
   }
@@ -155,7 +155,7 @@ std::string RandomProgram::expression(int depth) {
 }
 
 std::string RandomProgram::operand(int depth) {
-  const std::string sign = chance(10) ? (chance(70) ? "-" : "- ") : "";
+  const std::string sign = chance(10) ? pick({"-", "- ", "+", "+ "}) : "";
   if (depth <= 0) return sign + (chance(50) ? literal() : name());
   switch (below(10)) {
   case 0:

@@ -94,6 +94,7 @@ void Shell::report_assumptions() {
 
 bool Shell::report(const lang::SessionResult& result) {
   std::string problems;
+  for (const lang::Diagnostic& line : result.printed) problems += lang::render_line(line, session_.sources());
   if (!result.problem.empty()) problems += result.problem + "\n";
   for (const std::string& line : result.advice) problems += "  " + line + "\n";
   for (const lang::Diagnostic& diagnostic : result.diagnostics)

@@ -7,13 +7,13 @@
 namespace rt::lang {
 namespace {
 
-struct Word {
+struct ForeignName {
   std::string_view theirs;
   std::string_view advice;
 };
 
 /// Names of things and functions in POV-Ray, OpenSCAD, three.js and their like.
-constexpr Word names[] = {
+constexpr ForeignName names[] = {
     {"cube", "write `box`"},
     {"cuboid", "write `box`"},
     {"block", "write `box`"},
@@ -27,6 +27,41 @@ constexpr Word names[] = {
     {"ground", "write `plane { y: 0 }`"},
     {"object", "write the thing's own name: `ball { at: … }`"},
     {"polyhedron", "write a `group` of `polygon`s"},
+    {"mesh", "write a `group` of `triangle`s"},
+    {"Mesh", "write a `group` of `triangle`s"},
+    {"triangle_mesh", "write a `group` of `triangle`s"},
+    {"prism", "write a `group` of `polygon`s"},
+    {"pyramid", "write a `cone`, or a `group` of `triangle`s"},
+    {"ellipsoid", "write `sphere { scale: [x, y, z] }`"},
+    {"ring", "write `disc { radius: …, hole: … }`"},
+    {"annulus", "write `disc { radius: …, hole: … }`"},
+    {"line", "write a thin `cylinder { from: …, to: …, radius: 0.01 }`"},
+    {"capsule", "write a `cylinder` and two `sphere`s, joined by `|`"},
+    {"torus", "there is none yet: a `for` sets `sphere`s or `cylinder`s around a circle"},
+    {"text", "there are no letters; a `polygon` draws any outline"},
+    {"text3d", "there are no letters; a `polygon` draws any outline"},
+    {"image", "there are no image textures; `checker` is a pattern"},
+    {"hull", "solids are combined with `|`, `&` and `-`"},
+    {"minkowski", "solids are combined with `|`, `&` and `-`"},
+    {"linear_extrude", "write a `box`, a `cylinder` or a `group` of `polygon`s"},
+    {"rotate_extrude", "write a `cylinder`, a `cone` or a `sphere`"},
+    {"area_light", "a lamp is a point here: write `light { at: … }`, or several of them"},
+    {"AreaLight", "a lamp is a point here: write `light { at: … }`, or several of them"},
+    {"RectAreaLight", "a lamp is a point here: write `light { at: … }`, or several of them"},
+    {"lamp", "write `light { at: …, color: … }`"},
+    {"sky", "write `background: skyblue` at the top level"},
+    {"sky_sphere", "write `background: skyblue` at the top level"},
+    {"skybox", "write `background: skyblue` at the top level"},
+    {"environment", "write `background: skyblue` at the top level"},
+    {"background", "write `background: skyblue` at the top level"},
+    {"ambient", "write `ambient: 0.1` at the top level"},
+    {"scene", "the file is the scene: its properties stand at the top level"},
+    {"world", "the file is the scene: its properties stand at the top level"},
+    {"fog", "there is no fog"},
+    {"color", "write `material: red`, or `rgb(r, g, b)`"},
+    {"Color", "write `rgb(r, g, b)`"},
+    {"size", "write `size: [800, 600]` at the top level"},
+    {"look_at", "write `camera { at: …, look_at: … }`"},
     {"merge", "write `union { … }`, or `a | b`"},
     {"subtract", "write `difference { … }`, or `a - b`"},
     {"intersect", "write `intersection { … }`, or `a & b`"},
@@ -50,6 +85,12 @@ constexpr Word names[] = {
     {"interior", "write `material { ior: … }`"},
     {"global_settings", "properties of the scene stand at the top level: `max_depth: 8`"},
     {"translate", "write `thing.move([x, y, z])`, or `at: [x, y, z]`"},
+    {"rotate", "write `thing.rotate(y: 30)`, or `rotate: [x, y, z]`"},
+    {"scale", "write `thing.scale(2)`, or `scale: 2`"},
+    {"assert", "write `expect condition` on a line of its own: `rtlang test` tries it"},
+    {"echo", "write `print(…)`"},
+    {"printf", "write `print(…)`"},
+    {"console", "write `print(…)`"},
     {"translated", "write `thing.move([x, y, z])`"},
     {"position", "write `at: [x, y, z]`"},
     {"location", "write `at: [x, y, z]`"},
@@ -94,12 +135,12 @@ constexpr Word names[] = {
     {"PI", "write `pi`"},
 };
 
-struct PropertyWord {
+struct ForeignProperty {
   std::string_view theirs;
   std::string_view ours; ///< said only where the noun has it
 };
 
-constexpr PropertyWord properties[] = {
+constexpr ForeignProperty properties[] = {
     {"location", "at"},
     {"center", "at"},
     {"centre", "at"},
@@ -120,11 +161,22 @@ constexpr PropertyWord properties[] = {
     {"pigment", "material"},
     {"finish", "material"},
     {"surface", "material"},
+    {"from", "at"},
+    {"to", "look_at"},
+    {"width", "size"},
+    {"height", "size"},
+    {"depth", "size"},
+    {"w", "size"},
+    {"edge", "size"},
+    {"side", "size"},
+    {"color", "background"},
+    {"sky", "background"},
     {"r", "radius"},
     {"d", "radius"},
     {"diameter", "radius"},
     {"h", "height"},
     {"length", "height"},
+    {"length", "size"},
     {"dimensions", "size"},
     {"colour", "color"},
     {"diffuse_color", "color"},
@@ -184,17 +236,33 @@ constexpr PropertyWord properties[] = {
 } // namespace
 
 std::string dialect_name(std::string_view name) {
-  for (const Word& word : names) {
+  for (const ForeignName& word : names) {
     if (word.theirs == name) return std::string(word.advice);
   }
   return {};
 }
 
+namespace {
+
+std::string size_advice(const NodeType& type) {
+  switch (type.properties[*type.find("size")].type) {
+  case PropertyType::size:
+    return "write `size: [width, height, depth]`";
+  case PropertyType::resolution:
+    return "write `size: [width, height]`";
+  default:
+    return "write `size`, the length of an edge";
+  }
+}
+
+} // namespace
+
 std::string dialect_property(std::string_view property, const NodeType* type) {
-  for (const PropertyWord& word : properties) {
+  for (const ForeignProperty& word : properties) {
     if (word.theirs != property || !type->find(word.ours)) continue;
     if (property == "diameter" || property == "d") return "write `radius`, half of the diameter";
     if (property == "opacity") return "write `refract`, which is 0 where nothing shines through";
+    if (word.ours == "size" && property != "dimensions" && property != "resolution") return size_advice(*type);
     if (property == "roughness") return "write `shininess`: the higher, the smoother";
     return fmt::format("write `{}`", word.ours);
   }

@@ -1,6 +1,7 @@
 #include "lang/check/errors/statement_errors.hpp"
 
 #include "lang/check/errors/shared_errors.hpp"
+#include "lang/syntax/errors/syntax_codes.hpp"
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
@@ -53,10 +54,25 @@ void unreadable_file(Report& report, Span place, const std::string& name, const 
   report.error("E0601", place, "this file cannot be read", std::move(label));
 }
 
+void split_vector(Report& report, Span place, std::string_view property, std::string_view numbers) {
+  report.malformed(vector_without_brackets(place, "a vector is written in square brackets",
+                                           fmt::format("write `{}: [{}]`", property, numbers)));
+}
+
+void comment_for_division(Report& report, Span place, std::uint32_t line, std::string_view dividend,
+                          std::string_view divisor) {
+  if (Diagnostic* d = report.add(Severity::note, "N0005", place))
+    d->message =
+        fmt::format("`//` begins a comment: the value on line {} is `{}`; `floor({} / {})` divides and rounds down",
+                    line, dividend, dividend, divisor);
+}
+
 void unused_define(Report& report, Span place, std::string_view name, const std::vector<std::string_view>& params) {
   const auto guess = nearest(name, params);
   std::vector<Note> notes;
-  if (!params.empty()) notes.push_back({std::nullopt, fmt::format("it has {}", fmt::join(params, ", "))});
+  notes.push_back({std::nullopt, params.empty()
+                                     ? fmt::format("it has none; `param {} = …` at the top level makes one", name)
+                                     : fmt::format("it has {}", fmt::join(params, ", "))});
   report.error("E0604", place, fmt::format("the scene has no `param` called `{}`", name),
                guess ? fmt::format("did you mean `{}`?", *guess) : "", std::move(notes));
 }

@@ -24,6 +24,11 @@ void file_outside_folder(Report& report, Span place, const std::filesystem::path
 /// `guess` is the name that was probably meant, or empty.
 void unreadable_file(Report& report, Span place, const std::string& name, const std::string& reason,
                      const std::string& guess);
+/// `at: 1, 2, 3`.
+void split_vector(Report& report, Span place, std::string_view property, std::string_view numbers);
+/// `7 // 2`, on that line.
+void comment_for_division(Report& report, Span place, std::uint32_t line, std::string_view dividend,
+                          std::string_view divisor);
 /// A value of the command line that no `param` takes.
 void unused_define(Report& report, Span place, std::string_view name, const std::vector<std::string_view>& params);
 

@@ -20,6 +20,14 @@ std::span<const Code> remarks() {
        "`by -1`; if it may be empty, all is well.",
        "for i in 3..1 { sphere { at: [i, 0, 0] } }\nsphere {}",
        "for i in 3..1 by -1 { sphere { at: [i, 0, 0] } }\nsphere {}"},
+      {"N0004", "Something is printed",
+       "`print(x)` tells the value and the place on standard error, each time that it is evaluated, and places "
+       "nothing. "
+       "It is there for trying things out.",
+       "print(2 + 3)\nsphere {}", "sphere {}"},
+      {"N0005", "A comment that looks like a division",
+       "`//` begins a comment, so that `7 // 2` is 7. `floor(a / b)` divides and rounds down.",
+       "r = 7 // 2\nsphere { radius: r }", "r = floor(7 / 2)\nsphere { radius: r }"},
   };
   return table;
 }

@@ -33,9 +33,9 @@ std::span<const Code> syntax() {
        "`\\u{e9}` the character with that hexadecimal number in Unicode. Nothing else may follow a backslash.",
        "sphere { name: \"a\\b\" }", "sphere { name: \"a\\\\b\" }"},
       {"E0108", "A number is not well formed",
-       "A number has digits on both sides of its decimal point, and digits after the `e` of an exponent: `0.5`, "
-       "`1.0`, `2e-3`. That keeps `0..5` a range and `1.x` readable.",
-       "sphere { radius: .5 }", "sphere { radius: 0.5 }"},
+       "A number has one decimal point at most, and digits after the `e` of an exponent: `0.5`, `.5`, `5.`, `2e-3`. "
+       "`0..5` is a range.",
+       "sphere { radius: 1.2.5 }", "sphere { radius: 1.25 }"},
       {"E0109", "There is no such unit",
        "Lengths have no unit. Angles are in degrees, and only they may say so: `30deg`, or converted from "
        "`0.5rad` and `0.25turn`. The unit touches the number.",

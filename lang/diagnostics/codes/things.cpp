@@ -48,6 +48,11 @@ std::span<const Code> things() {
       {"E0410", "A material or pattern is placed by itself",
        "A surface is seen on a shape: keep the material under a name and write it after `material:`.",
        "material { color: red }\nsphere {}", "paint = material { color: red }\nsphere { material: paint }"},
+      {"E0411", "There is nothing to see",
+       "A picture is made of things that are placed: a thing on a line of its own, or its name. What follows a `=` is "
+       "kept "
+       "for later. One line is a whole scene: `sphere {}`.",
+       "", ""},
   };
   return table;
 }

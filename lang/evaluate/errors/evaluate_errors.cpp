@@ -101,6 +101,12 @@ Diagnostic not_placeable(Span place, std::string message, std::string label, std
   return make("E0410", place, std::move(message), std::move(label), std::move(advice));
 }
 
+Diagnostic nothing_to_see(Span place, bool keeps_things) {
+  return make("E0411", place, "there is nothing to see in this scene",
+              "a scene needs a thing on a line of its own, such as `sphere {}`",
+              keeps_things ? "what is bound to a name is kept for later: the name on a line of its own places it" : "");
+}
+
 Diagnostic too_many_steps(Span place, std::string message, std::string label, std::string advice) {
   return make("E0501", place, std::move(message), std::move(label), std::move(advice));
 }
@@ -144,6 +150,10 @@ Diagnostic assumed_light(Span place, std::string message) {
 Diagnostic empty_range(Span place) {
   return make_note("N0003", place, "this range is empty: it runs upwards, and its end lies below its beginning",
                    "to count down, write `by -1`");
+}
+
+Diagnostic printed(Span place, std::string text) {
+  return make_note("N0004", place, std::move(text), {});
 }
 
 bool depends_on_values(const Diagnostic& d) {

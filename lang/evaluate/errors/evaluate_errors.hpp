@@ -25,6 +25,8 @@ Diagnostic properties_disagree(Span place, std::string message, std::string labe
 Diagnostic media_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic not_movable(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic not_placeable(Span place, std::string message, std::string label = {}, std::string advice = {});
+/// A scene without a thing; `keeps_things` where some are bound to names.
+Diagnostic nothing_to_see(Span place, bool keeps_things);
 Diagnostic too_many_steps(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic calls_too_deep(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic too_many_objects(Span place, std::string message, std::string label = {}, std::string advice = {});
@@ -34,10 +36,12 @@ Diagnostic wrong_define(Span place, std::string message, std::string label = {},
 Diagnostic param_out_of_range(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic expectation_fails(Span place, std::string message, std::string label = {}, std::string advice = {});
 
-// Notes on what was assumed.
+// Notes
 Diagnostic assumed_camera(Span place, std::string message);
 Diagnostic assumed_light(Span place, std::string message);
 Diagnostic empty_range(Span place);
+/// What `print` tells.
+Diagnostic printed(Span place, std::string text);
 
 /// Whether it might be right with other values, so that it is no mistake where a line may never run.
 bool depends_on_values(const Diagnostic& diagnostic);

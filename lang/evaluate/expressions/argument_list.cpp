@@ -157,6 +157,10 @@ Value ArgumentList::fail(std::size_t argument, const std::string& message, const
   return evaluation_.errors.fail(errors::no_result(place_of(argument), message, label));
 }
 
+void ArgumentList::print(std::string text) {
+  evaluation_.errors.print(std::move(text), place_);
+}
+
 void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {
   evaluation_.limits.spend(steps, place_);
   if (bytes > 0) evaluation_.limits.reserve(bytes, place_);

@@ -25,6 +25,7 @@ public:
   const SymbolTable& symbols() override;
   Value call(const Value& function, std::vector<Value> function_arguments) override;
   Value fail(std::size_t argument, const std::string& message, const std::string& label) override;
+  void print(std::string text) override;
   void spend(std::uint64_t steps, std::uint64_t bytes) override;
   const Observer* observer(std::optional<std::size_t> alone) override;
   const scene::Scene& scene() override;

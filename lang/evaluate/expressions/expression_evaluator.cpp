@@ -306,7 +306,7 @@ Value ExpressionEvaluator::unary_value(NodeId node, const Context& context) {
     return is_poison ? Value::poison() : Value::boolean(!truth);
   }
   const Value value = evaluate(operand, context);
-  return value.is_poison() ? value : operators_.negative(value, ast.span(node));
+  return value.is_poison() ? value : operators_.with_sign(ast.op(node), value, ast.span(node));
 }
 
 Value ExpressionEvaluator::logic_value(NodeId node, const Context& context) {

@@ -9,6 +9,13 @@
 #include <cmath>
 
 namespace rt::lang {
+namespace {
+
+bool is_word_for_size(std::string_view word) {
+  return word == "len" || word == "length" || word == "size" || word == "count";
+}
+
+} // namespace
 
 Value ExpressionEvaluator::unknown_member(std::string message, std::string_view word, Span place,
                                           std::span<const std::string_view> names) {
@@ -55,6 +62,11 @@ Value ExpressionEvaluator::member_of(const Value& base, NodeId node, const Conte
   const std::string_view word = name(symbol);
   const Span place = ast.member_span(node, program_.symbols);
   const auto unknown = [&](std::string message, std::span<const std::string_view> names) {
+    if ((is_sequence(base) || base.is(ValueKind::string)) && is_word_for_size(word))
+      return fail(errors::no_member(place, std::move(message),
+                                    base.is(ValueKind::vector) && word == "length"
+                                        ? "`len(…)` counts the elements, `length(…)` measures a vector"
+                                        : "`len(…)` counts the elements"));
     return unknown_member(std::move(message), word, place, names);
   };
   switch (base.kind()) {

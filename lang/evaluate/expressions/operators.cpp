@@ -43,10 +43,10 @@ double Operators::compute(Op op, double a, double b) {
   }
 }
 
-Value Operators::negative(const Value& value, Span place) {
-  if (value.is_number()) return -value.number();
-  if (value.is(ValueKind::vector)) return like(value, -value.vector());
-  return fail(errors::wrong_operand(place, fmt::format("`-` cannot be applied to {}", describe(value))));
+Value Operators::with_sign(Op op, const Value& value, Span place) {
+  if (value.is_number()) return op == Op::plus ? value.number() : -value.number();
+  if (value.is(ValueKind::vector)) return op == Op::plus ? value : like(value, -value.vector());
+  return fail(errors::wrong_operand(place, fmt::format("`{}` cannot be applied to {}", spelling(op), describe(value))));
 }
 
 Value Operators::binary(Op op, const Value& left, const Value& right, Span place) {

@@ -9,7 +9,8 @@ class Operators : private EvaluationPart {
 public:
   explicit Operators(Evaluation& evaluation) : EvaluationPart(evaluation) {}
 
-  Value negative(const Value& value, Span place);
+  /// `-x` or `+x`.
+  Value with_sign(Op op, const Value& value, Span place);
   /// Neither is poison.
   Value binary(Op op, const Value& left, const Value& right, Span place);
   static double compute(Op op, double left, double right);

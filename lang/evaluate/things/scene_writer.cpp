@@ -53,7 +53,9 @@ void SceneWriter::put(const ThingView& described, Target& target) {
     if (!target.properties) return; // the block of something in error
     const NodeType& owner = *target.properties->type;
     const std::string_view whose = target.properties->def ? name(target.properties->def->name) : owner.name;
-    fail(errors::takes_no_things(described.place, fmt::format("things cannot be put into `{}`", whose), {},
+    const bool is_property = owner.find(program_.symbols.find(type.name)).has_value();
+    fail(errors::takes_no_things(described.place, fmt::format("things cannot be put into `{}`", whose),
+                                 is_property ? fmt::format("write `{}: {{ … }}`", type.name) : "",
                                  "a `group` and the combinations take things; other blocks hold properties only"));
     return;
   }

@@ -170,7 +170,10 @@ private:
 
   std::optional<Diagnostic> foreign_statement() const {
     const bool is_after_one_word = expected_ == Expected::item_end && item_tokens_ >= 1 && !line_ends();
-    if (is_after_one_word) {
+    if (is_after_one_word && !(before_is(")") && text(first_) == "print")) {
+      if (text(token_from(first_.end)) == "(") {
+        if (auto method = foreign_method({place_.file, first_.begin, first_.end}, text(first_))) return method;
+      }
       if (auto foreign = foreign_word({place_.file, first_.begin, first_.end}, text(first_))) return foreign;
     }
     const bool is_else = found_.kind == TokenKind::name && text(found_).starts_with("el");
@@ -232,6 +235,11 @@ private:
     if (found_is(":") || found_is("=")) {
       return error(errors::missing_name, fmt::format("a name is missing before {}", found()));
     }
+    if (found_is("<") && !place_.open.empty() && place_.open.back().bracket == '{') {
+      const std::uint32_t brace = place_.open.back().at;
+      return error(errors::vector_without_brackets, "a vector is written in square brackets",
+                   povray_form(place_.text, brace));
+    }
     if (found_.kind == TokenKind::symbol) return led_by_operator();
     return error(errors::unexpected, "expected a thing, a property or a name, found " + found());
   }
@@ -278,8 +286,9 @@ private:
       return error(errors::vector_without_brackets, "a vector is written in square brackets", "`[x, y, z]`");
     }
     if (found_is("=") && before_.kind == TokenKind::symbol && before_.end == found_.begin) {
-      return errors::foreign_operator({place_.file, before_.begin, found_.end},
-                                      fmt::format("there is no `{}=`", text(before_)), "a name keeps its value");
+      return errors::foreign_operator(
+          {place_.file, before_.begin, found_.end}, fmt::format("there is no `{}=`", text(before_)),
+          before_is("==") || before_is("!=") ? fmt::format("write `{}`", text(before_)) : "a name keeps its value");
     }
     if (found_is(">") && before_is("-")) {
       return error(errors::foreign_operator, "there is no `->` here",

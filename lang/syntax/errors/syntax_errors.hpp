@@ -60,6 +60,10 @@ Diagnostic explain_failure(const SyntaxPlace& place, Expected expected);
 
 /// A word that begins a statement elsewhere; nothing for others.
 std::optional<Diagnostic> foreign_word(Span span, std::string_view word);
+/// `translate(…) sphere {}`: what stands before a thing elsewhere, and behind it here; nothing for other words.
+std::optional<Diagnostic> foreign_method(Span span, std::string_view word);
+/// How to write what stands at a brace followed by a vector, `sphere { <0, 1, 0>, 1 }`.
+std::string povray_form(std::string_view text, std::uint32_t brace);
 Diagnostic unknown_character(Span span, std::string_view c);
 /// `#` where no colour is meant: a comment, or a directive of POV-Ray.
 Diagnostic misplaced_hash(Span span, std::string_view text);
@@ -73,7 +77,7 @@ std::vector<OpenBracket> forgotten_braces(std::string_view text, std::size_t cou
 
 /// `left` is the text of what stands before the operator.
 Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_text, std::string_view left);
-/// `&&`, `||`, `!`, `**`, a leading `+`, and `=` in an expression.
+/// `&&`, `||`, `!`, `**`, `++`, `...`, and `=` in an expression.
 Diagnostic foreign_operator(Span op, std::string_view op_text);
 /// What a number literal is wrong about, if anything; its suffix begins at `digits`.
 std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std::uint32_t digits, double value);

@@ -1,6 +1,8 @@
 // What comes from other languages, and from word processors.
 
 #include "lang/syntax/errors/syntax_errors.hpp"
+#include "lang/text/characters.hpp"
+#include "lang/text/tokens.hpp"
 #include "lang/text/utf8.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +34,31 @@ constexpr std::array statements{
     ForeignWord{"elsif", "`else if`, on the line of the closing brace"},
     ForeignWord{"elseif", "`else if`, on the line of the closing brace"},
     ForeignWord{"then", "`if condition { … }`"},
+    ForeignWord{"assert", "`expect length(v) > 1`: `rtlang test` tries it"},
+    ForeignWord{"print", "write `print(…)`"},
+    ForeignWord{"echo", "write `print(…)`"},
     ForeignWord{"object", "a thing's own name places it: `table { width: 3 }`"},
+};
+
+constexpr std::array methods{
+    ForeignWord{"translate", "write `thing.move([x, y, z])`"}, ForeignWord{"move", "write `thing.move([x, y, z])`"},
+    ForeignWord{"rotate", "write `thing.rotate([x, y, z])`"},  ForeignWord{"scale", "write `thing.scale([x, y, z])`"},
+    ForeignWord{"mirror", "write `thing.mirror([x, y, z])`"},  ForeignWord{"color", "write `thing { material: red }`"},
+};
+
+// What POV-Ray's things are followed by, in its order.
+struct PovrayForm {
+  std::string_view theirs, ours;
+  std::array<std::string_view, 4> properties;
+};
+constexpr std::array povray_forms{
+    PovrayForm{"sphere", "sphere", {"at", "radius"}},
+    PovrayForm{"box", "box", {"from", "to"}},
+    PovrayForm{"cylinder", "cylinder", {"from", "to", "radius"}},
+    PovrayForm{"cone", "cone", {"from", "radius", "to", "top_radius"}},
+    PovrayForm{"plane", "plane", {"normal", "offset"}},
+    PovrayForm{"disc", "disc", {"at", "normal", "radius", "hole"}},
+    PovrayForm{"light_source", "light", {"at"}},
 };
 
 // POV-Ray's.
@@ -69,7 +95,56 @@ std::optional<Diagnostic> foreign_word(Span span, std::string_view word) {
   const auto* const found =
       std::find_if(statements.begin(), statements.end(), [&](const ForeignWord& f) { return f.word == word; });
   if (found == statements.end()) return std::nullopt;
-  return errors::foreign_statement(span, fmt::format("there is no `{}` here", word), std::string(found->way_out));
+  const std::string message =
+      word == "print" ? "`print` takes its values in parentheses" : fmt::format("there is no `{}` here", word);
+  return errors::foreign_statement(span, message, std::string(found->way_out));
+}
+
+std::optional<Diagnostic> foreign_method(Span span, std::string_view word) {
+  const auto* const found =
+      std::find_if(methods.begin(), methods.end(), [&](const ForeignWord& f) { return f.word == word; });
+  if (found == methods.end()) return std::nullopt;
+  return errors::foreign_statement(span, fmt::format("`{}` is written behind a thing", word),
+                                   std::string(found->way_out));
+}
+
+std::string povray_form(std::string_view text, std::uint32_t brace) {
+  std::size_t end = brace;
+  while (end > 0 && (is_blank(text[end - 1]) || text[end - 1] == '\n')) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_name_part(text[begin - 1])) --begin;
+  const auto* const form = std::find_if(povray_forms.begin(), povray_forms.end(), [&](const PovrayForm& f) {
+    return f.theirs == text.substr(begin, end - begin);
+  });
+  if (form == povray_forms.end()) return "write `name: [x, y, z]`";
+  std::string written;
+  Token token = next_token(text, brace + 1);
+  const auto skip_newlines = [&] {
+    while (token.kind == TokenKind::newline) token = next_token(text, token.end);
+  };
+  for (const std::string_view property : form->properties) {
+    std::string value;
+    skip_newlines();
+    const bool is_vector = text_of(text, token) == "<";
+    for (int depth = 0; token.kind == TokenKind::number || token.kind == TokenKind::symbol || depth > 0;
+         token = next_token(text, token.end)) {
+      const std::string_view word = text_of(text, token);
+      if (token.kind == TokenKind::end || token.kind == TokenKind::close) break;
+      depth += word == "<" ? 1 : word == ">" ? -1 : 0;
+      if (token.kind == TokenKind::newline) continue;
+      value += word == "<" ? "[" : word == ">" ? "]" : word == "," ? ", " : word;
+      if (is_vector && depth == 0) {
+        token = next_token(text, token.end);
+        break;
+      }
+    }
+    if (value.empty() || property.empty()) break;
+    written += fmt::format("{}{}: {}", written.empty() ? "" : ", ", property, value);
+    if (text_of(text, token) == ",") token = next_token(text, token.end);
+  }
+  skip_newlines();
+  const bool is_all = token.kind == TokenKind::close || token.kind == TokenKind::end;
+  return fmt::format("write `{} {{ {}{} }}`", form->ours, written, is_all ? "" : ", …");
 }
 
 Diagnostic unknown_character(Span span, std::string_view c) {

@@ -34,11 +34,23 @@ bool is_first_on_line(std::string_view text, std::uint32_t at) {
   return before == std::string_view::npos || text[before] == '\n';
 }
 
+// Where the brace stands that closes the block around.
+std::uint32_t end_of_block(std::string_view text, std::uint32_t at) {
+  int depth = 0;
+  for (Token token = next_token(text, at);; token = next_token(text, token.end)) {
+    if (token.kind == TokenKind::open) ++depth;
+    if (token.kind == TokenKind::end || (token.kind == TokenKind::close && depth-- == 0)) return token.begin;
+  }
+}
+
 } // namespace
 
 std::uint32_t resume_after(std::string_view text, std::uint32_t at, const Diagnostic& error) {
   const std::size_t end_of_line = std::min(text.find('\n', at), text.size());
   if (errors::is_hash_comment(error)) return static_cast<std::uint32_t>(end_of_line);
+  const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", at - 1);
+  const bool begins_block = before != std::string_view::npos && text[before] == '{';
+  if (errors::is_vector_without_brackets(error) && begins_block) return end_of_block(text, at);
   if (errors::is_vector_without_brackets(error) && text[at] == '<') { // perhaps one of several
     const std::size_t close = text.substr(0, end_of_line).rfind('>');
     if (close != std::string_view::npos && close > at) return static_cast<std::uint32_t>(close + 1);

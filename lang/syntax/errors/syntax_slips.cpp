@@ -20,7 +20,7 @@ std::string_view own_name(std::string_view op) {
   if (op == "!") return "write `not`";
   if (op == "**") return "write `^`";
   if (op == "++") return "a name keeps its value";
-  if (op == "+") return "leave it out";
+  if (op == "...") return "write `..`, or `..<` to leave out the end";
   return "";
 }
 
@@ -66,21 +66,12 @@ Diagnostic foreign_operator(Span op, std::string_view op_text) {
     return errors::assignment_in_expression(op, "`=` gives a name a value and cannot stand inside an expression",
                                             "`==` compares");
   }
-  const std::string message =
-      op_text == "+" ? "a number takes no `+` before it" : fmt::format("there is no operator `{}`", op_text);
-  return errors::foreign_operator(op, message, std::string(own_name(op_text)));
+  return errors::foreign_operator(op, fmt::format("there is no operator `{}`", op_text),
+                                  std::string(own_name(op_text)));
 }
 
 std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std::uint32_t digits, double value) {
   const std::string_view suffix = text.substr(digits);
-  if (text.starts_with('.')) {
-    return errors::malformed_number(span, "a number begins with a digit", fmt::format("write `0{}`", text));
-  }
-  if (suffix.starts_with('.')) {
-    return errors::malformed_number(
-        span, "digits must follow the decimal point",
-        fmt::format("write `{}` or `{}.0`", text.substr(0, digits), text.substr(0, digits)));
-  }
   const bool has_base = text.size() >= 2 && text[0] == '0' && digits == 1 &&
                         std::string_view("xXbBoO").find(text[1]) != std::string_view::npos;
   if (has_base) {

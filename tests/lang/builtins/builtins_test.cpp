@@ -118,7 +118,7 @@ TEST_CASE("builtins: a function written like a method is reported where it stand
   const Loaded loaded = load("a = [1, 2, 3].map(fn(x) => x)\nb = \"abc\".len\nsphere {}");
   REQUIRE(errors(loaded) == std::vector<std::string>{"E0212", "E0212"});
   CHECK(loaded.diagnostics[0].label == "a function stands in front: `map(…)`");
-  CHECK(loaded.diagnostics[1].label == "a function stands in front: `len(…)`");
+  CHECK(loaded.diagnostics[1].label == "`len(…)` counts the elements");
 }
 
 TEST_CASE("colours: what another language writes with 255 is a mistake, not a very bright light") {
@@ -194,4 +194,29 @@ TEST_CASE("noise: 0 at whole coordinates, smooth, between -1 and 1") {
   CHECK(text("noise_at([0.5, 0.5, 0.5], 1) != noise_at([0.5, 0.5, 0.5], 2)") == "true");
   // Computed by another program from the description: hashed gradients, blended by 6t⁵ − 15t⁴ + 10t³.
   CHECK(number("noise_at([0.3, 1.7, 2.2])") == Approx(0.37615322169528315).epsilon(1e-12));
+}
+
+TEST_CASE("numbers: with a point at either end, and with a sign") {
+  CHECK(number(".5 + 5.") == 5.5);
+  CHECK(number("+60") == 60);
+  CHECK(number("5.e2 + .25e1") == 502.5);
+  CHECK(number("2 - +1") == 1);
+  CHECK(number("-+-3") == 3);
+  CHECK(number("+2 ^ 2") == 4);
+  CHECK(number("2 ^ +2") == 4);
+  CHECK(number("(+[1, 2, 3]).y") == 2);
+  CHECK(number(".25turn") == 90);
+  CHECK(text("[x for x in .5..2.]") == "[0.5, 1.5]");
+  CHECK(text("[x for x in 1. .. 3]") == "[1, 2, 3]");
+  CHECK(text("[x for x in 1..3.]") == "[1, 2, 3]");
+  CHECK(text("[.5\n5.\n+6]") == "[0.5, 5, 6]");
+  CHECK(errors("sphere { radius: +\"a\" }") == std::vector<std::string>{"E0304"});
+  CHECK(errors("x = 5.x\nsphere {}") == std::vector<std::string>{"E0212"});
+}
+
+TEST_CASE("numbers: arcs are exact where sines are") {
+  CHECK(number("asin(0.5)") == 30);
+  CHECK(number("acos(0.5)") == 60);
+  CHECK(number("atan(-1)") == -45);
+  CHECK(number("angle_between([1, 0, 0], [1, 1, 0])") == 45);
 }

@@ -198,3 +198,10 @@ TEST_CASE("format: every example keeps its meaning, and formatting is idempotent
   }
   CHECK(count > 0);
 }
+
+TEST_CASE("format: numbers keep the way they are written, and their distance from dots") {
+  CHECK(formatted("x = [.5,5.,+60]\n") == "x = [.5, 5., +60]\n");
+  CHECK(formatted("y = 1. .. +3\n") == "y = 1. ..+3\n");
+  CHECK(formatted("z = 1 .. .5\n") == "z = 1.. .5\n");
+  CHECK(formatted("w = + x + +y\n") == "w = +x + +y\n");
+}

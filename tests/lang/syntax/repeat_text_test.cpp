@@ -23,6 +23,7 @@ TEST_CASE("wording: what stands between the numbers") {
   using Pieces = std::vector<std::string>;
   CHECK(pieces("sphere { at: [1, -2.5 ,3e2] }", {1, -2.5, 300}) == Pieces{"sphere { at: [", ", ", " ,", "] }"});
   CHECK(pieces("a1.b2 { c3: 4; d: e5\n}", {4}) == Pieces{"a1.b2 { c3: ", "; d: e5\n}"});
+  CHECK(pieces("a { b: [.5, +6, 7.]\n}", {.5, 6, 7}) == Pieces{"a { b: [", ", ", ", ", "]\n}"});
   CHECK(pieces("a { b: c }", {}) == Pieces{"a { b: c }"});
   CHECK(pieces("a { b: 1\n}", {1}) == Pieces{"a { b: ", "\n}"});
 }
@@ -33,7 +34,7 @@ TEST_CASE("wording: none where a number may be part of something else, or is not
                            "a { b: 1 // 1\n}", "a { b: [\n1] }", "a { b: x - 1 }", "a { b: x -1 }",
                            "a { b: -x }",      "a { b: - 1 }",   "a { b: 1\n.x }", "a { b: [1\n, 1\n \n{}] }",
                            "a { 1 }",          "a { b: 1[0] }",  "a { b: 1 }.c",   "a { b: '1' }",
-                           "a { b: -1 ^ 1 }",  "a { b: .1 }"}) {
+                           "a { b: -1 ^ 1 }",  "a { b: +1 + 1 }"}) {
     INFO(item);
     CHECK(pieces(item, {1}).empty());
     CHECK(pieces(item, {1, 1}).empty());

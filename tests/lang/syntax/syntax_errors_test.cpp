@@ -63,7 +63,8 @@ TEST_CASE("syntax errors: what is clear enough is read as it was meant") {
   CHECK(shape(parse_text("x = a && b || !c")) == "(= x (or (and a b) c))");
   CHECK(shape(parse_text("x = 2 ** 3")) == "(= x (^ 2 3))");
   CHECK(shape(parse_text("x = 'a'")) == "(= x \"a\")");
-  CHECK(shape(parse_text("x = [.5, 1., 2cm]")) == "(= x [0.5 1 2])");
+  CHECK(shape(parse_text("x = [2cm, 3_000]")) == "(= x [2 3])");
+  CHECK(shape(parse_text("x = 1...3")) == "(= x (.. 1 3 _))");
   CHECK(shape(parse_text("let x = 1")) == "(= x 1)");
   CHECK(shape(parse_text("function f(x) = x")) == "(fn f (x) x)");
   CHECK(shape(parse_text("sphere\n{ radius: 2 }")) == "sphere{radius: 2}");
@@ -104,7 +105,7 @@ TEST_CASE("syntax errors: a file that is no scene is not reported byte by byte")
 }
 
 TEST_CASE("syntax errors: reports come in the order of the text") {
-  const auto text = parse_text("group {\n  x = .5\n  y = (1\n  z = 2cm\n}\n'a'\n");
+  const auto text = parse_text("group {\n  x = 0x5\n  y = (1\n  z = 2cm\n}\n'a'\n");
   const auto& found = text.parsed.diagnostics;
   REQUIRE(found.size() == 4);
   for (std::size_t i = 1; i < found.size(); ++i) CHECK(found[i - 1].span.begin < found[i].span.begin);

@@ -42,6 +42,14 @@ TEST_CASE("literals: a number ends where its suffix begins") {
   CHECK(read_number("1e").length == 1);
   CHECK(read_number("1..2").length == 1);
   CHECK(read_number("1.5e+3x").length == 6);
+  CHECK(read_number("5.").length == 2);
+  CHECK(read_number("5., 6").value == 5);
+  CHECK(read_number("5.x").length == 1);
+  CHECK(read_number("5.e").length == 1);
+  CHECK(read_number("5.e2").value == 500);
+  CHECK(read_number("5.e2").length == 4);
+  CHECK(read_number(".5").value == 0.5);
+  CHECK(read_number(".5.x").length == 2);
   CHECK(degrees_per("deg") == 1);
   CHECK(degrees_per("turn") == 360);
   CHECK(degrees_per("cm") == 0);
@@ -82,8 +90,12 @@ TEST_CASE("literals: a sign belongs to the number behind it") {
   CHECK(read_signed_number("-12.5,").length == 5);
   CHECK(read_signed_number("-12.5,").value == -12.5);
   CHECK(read_signed_number("7").value == 7);
+  CHECK(read_signed_number("+60]").value == 60);
+  CHECK(read_signed_number("+60]").length == 3);
+  CHECK(read_signed_number("-.5").value == -0.5);
   CHECK(std::isinf(read_signed_number("-1e400 ").value));
   CHECK(read_signed_number("-0]").length == 2);
   CHECK(std::signbit(read_signed_number("-0]").value));
-  for (const char* none : {"", "-", "--1", "+1", ".5", "x", " 1"}) CHECK(read_signed_number(none).length == 0);
+  for (const char* none : {"", "-", "--1", "+", "-.", ".", ".x", "x", " 1"})
+    CHECK(read_signed_number(none).length == 0);
 }

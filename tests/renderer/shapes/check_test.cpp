@@ -1,5 +1,6 @@
 // What is no shape, and how that is said.
 
+#include "renderer/math/degrees.hpp"
 #include "renderer/shapes/flat/outline.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,4 +1,4 @@
-#include "renderer/math/affine.hpp"
+#include "renderer/math/degrees.hpp"
 #include "tools/bench/scenes/layout.hpp"
 
 #include <cmath>

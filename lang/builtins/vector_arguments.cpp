@@ -1,0 +1,17 @@
+#include "lang/builtins/vector_arguments.hpp"
+
+namespace rt::lang::builtins {
+
+bool have_equal_sizes(BuiltinCall& c) {
+  if (c[0].vector_size() == c[1].vector_size()) return true;
+  c.fail(1, "both vectors must have as many numbers");
+  return false;
+}
+
+bool has_direction(BuiltinCall& c, std::size_t i) {
+  if (length(c.vector(i)) > 0) return true;
+  c.fail(i, "a vector of length 0 has no direction", "this is zero");
+  return false;
+}
+
+} // namespace rt::lang::builtins

@@ -1,0 +1,21 @@
+#pragma once
+
+namespace rt {
+
+/// Trigonometry in degrees, exact where a sine or cosine is 0, ½ or 1, and both ways: asin of what sin gives for a
+/// whole number of degrees is that number.
+double sin_degrees(double degrees);
+double cos_degrees(double degrees);
+/// Infinite where the cosine is 0.
+double tan_degrees(double degrees);
+
+/// From -90 to 90. Requires |x| <= 1.
+double asin_degrees(double x);
+/// From 0 to 180. Requires |x| <= 1.
+double acos_degrees(double x);
+/// From -90 to 90.
+double atan_degrees(double x);
+/// The angle of the point (x, y), from -180 to 180.
+double atan2_degrees(double y, double x);
+
+} // namespace rt

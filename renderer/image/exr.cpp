@@ -1,3 +1,4 @@
+#include "renderer/image/cryptomatte.hpp"
 #include "renderer/image/formats.hpp"
 
 #include <ImfArray.h>
@@ -11,8 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <map>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace rt::image {
 namespace {
@@ -69,6 +73,33 @@ constexpr Channel object_channels[] = {{"object.id", Imf::UINT, 0}};
 constexpr Channel albedo_channels[] = {
     {"albedo.R", Imf::FLOAT, 0}, {"albedo.G", Imf::FLOAT, 4}, {"albedo.B", Imf::FLOAT, 8}};
 
+/// The nearest object of each pixel by the float of its name, and how much of the pixel it covers; there is no second.
+struct Matte {
+  float id = 0, coverage = 0, second_id = 0, second_coverage = 0;
+};
+constexpr std::string_view matte_layer = "CryptoObject";
+constexpr Channel matte_channels[] = {{"CryptoObject00.R", Imf::FLOAT, 0},
+                                      {"CryptoObject00.G", Imf::FLOAT, 4},
+                                      {"CryptoObject00.B", Imf::FLOAT, 8},
+                                      {"CryptoObject00.A", Imf::FLOAT, 12}};
+
+/// `ids` gets the names that occur.
+std::vector<Matte> mattes(const Film& film, const EncodeOptions& options, std::map<std::string, std::uint32_t>& ids) {
+  std::vector<Matte> pixels(film.object_id.size());
+  std::unordered_map<std::uint32_t, float> known;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const std::uint32_t object = film.object_id[i];
+    if (object == 0) continue;
+    const auto [found, is_new] = known.try_emplace(object);
+    if (is_new) {
+      const std::string name = options.object_name(object);
+      found->second = std::bit_cast<float>(ids[name] = matte_id(name));
+    }
+    pixels[i] = {found->second, 1, 0, 0};
+  }
+  return pixels;
+}
+
 /// Adds a slice for each channel to a frame buffer over `pixels`, whose first one stands at `origin` in the file.
 template <std::size_t N, class Pixel>
 void add_slices(Imf::FrameBuffer& frame, const Channel (&channels)[N], std::vector<Pixel>& pixels, int width,
@@ -100,14 +131,17 @@ void for_each_layer(Film& film, std::vector<float>& depth, F&& f) {
 } // namespace
 
 std::string encode_exr(const Film& film, const EncodeOptions& options) {
-  Imf::Header header(film.width, film.height);
+  const Imath::V2i origin(film.left, film.top);
+  const Imath::Box2i window(origin, origin + Imath::V2i(film.width - 1, film.height - 1));
+  const Imath::Box2i picture({0, 0}, {film.picture_width - 1, film.picture_height - 1});
+  Imf::Header header(film.picture_width > 0 ? picture : window, window);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const auto& [key, value] : options.text) header.insert(key, Imf::StringAttribute(value));
 
   Imf::FrameBuffer frame;
   const auto add = [&](const auto& channels, auto& pixels) {
     for (const Channel& channel : channels) header.channels().insert(channel.name, Imf::Channel(channel.type));
-    add_slices(frame, channels, pixels, film.width, {0, 0});
+    add_slices(frame, channels, pixels, film.width, origin);
   };
   // OpenEXR's slices are for reading too and so not const; writing leaves the film as it is.
   Film& pixels = const_cast<Film&>(film);
@@ -116,6 +150,13 @@ std::string encode_exr(const Film& film, const EncodeOptions& options) {
   if (film.has_layers()) {
     header.insert("depthMetric", Imf::StringAttribute("distance along the ray, infinite for a miss"));
     for_each_layer(pixels, depth, add);
+  }
+  std::vector<Matte> matte;
+  if (film.has_layers() && options.object_name) {
+    std::map<std::string, std::uint32_t> ids;
+    matte = mattes(film, options, ids);
+    for (const auto& [key, value] : matte_metadata(matte_layer, ids)) header.insert(key, Imf::StringAttribute(value));
+    add(matte_channels, matte);
   }
 
   std::string bytes;
@@ -159,6 +200,11 @@ Image decode_exr(std::string_view bytes, const std::string& name) try {
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
   image.depth.assign(depth.begin(), depth.end());
+  const Imath::Box2i picture = file.header().displayWindow();
+  image.left = window.min.x - picture.min.x;
+  image.top = window.min.y - picture.min.y;
+  image.picture_width = picture.max.x - picture.min.x + 1;
+  image.picture_height = picture.max.y - picture.min.y + 1;
   if (is_grey)
     for (Rgb32& c : image.color) c.g = c.b = c.r;
   return image;

@@ -76,7 +76,7 @@ private:
 };
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.get() < 0) fail(errno, "write", path);
   write_all(file.get(), bytes, path);
   if (const int error = file.close()) fail(error, "write", path);
@@ -117,19 +117,23 @@ namespace {
 struct Target {
   std::filesystem::path path; ///< links followed
   bool exists;
+  bool is_stream; ///< written straight: a pipe, a device, or whatever a descriptor of the process is
   struct stat status;
 };
 
 /// The target of a path that may be written; throws otherwise.
 Target writable_target(const std::string& path) {
   std::error_code no_link;
-  Target target{path, false, {}};
-  if (std::filesystem::is_symlink(target.path, no_link)) target.path = std::filesystem::weakly_canonical(target.path);
-  target.exists = ::stat(target.path.c_str(), &target.status) == 0;
+  Target target{path, false, false, {}};
+  target.exists = ::stat(path.c_str(), &target.status) == 0;
+  target.is_stream = is_stream(path);
+  // What a descriptor leads to need not have a path.
+  if (!target.is_stream && std::filesystem::is_symlink(target.path, no_link))
+    target.path = std::filesystem::weakly_canonical(target.path);
   if (target.exists && S_ISDIR(target.status.st_mode)) fail(EISDIR, "write", path);
   // A rename would replace even a file that may not be written.
   if (target.exists && ::access(target.path.c_str(), W_OK) != 0) fail(errno, "write", path);
-  if (!target.exists || S_ISREG(target.status.st_mode)) {
+  if (!target.is_stream) {
     const std::string folder = target.path.has_parent_path() ? target.path.parent_path().string() : ".";
     if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(errno, "write", path);
   }
@@ -138,13 +142,20 @@ Target writable_target(const std::string& path) {
 
 } // namespace
 
+bool is_stream(const std::string& path) {
+  struct stat status {};
+  const bool names_descriptor = path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+                                path.starts_with("/proc/self/fd/");
+  return ::stat(path.c_str(), &status) == 0 && (!S_ISREG(status.st_mode) || names_descriptor);
+}
+
 void require_writable(const std::string& path) {
   writable_target(path);
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {
   const Target target = writable_target(path);
-  if (target.exists && !S_ISREG(target.status.st_mode)) return write_directly(path, bytes);
+  if (target.is_stream) return write_directly(path, bytes);
 
   Temporary temporary(target.path);
   const int file = temporary.file().get();

@@ -2,6 +2,7 @@
 
 #include "renderer/render/film.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,10 +23,13 @@ struct EncodeOptions {
   int bits = 8; ///< of a sample, 8 or 16, in png and ppm
   /// Keywords and values that png and exr carry along: 1 to 79 Latin-1 characters, and any number of them.
   std::vector<std::pair<std::string, std::string>> text;
+  /// What an id of the film's objects is called; with it an exr with layers has them as a Cryptomatte too.
+  std::function<std::string(std::uint32_t id)> object_name = {};
 };
 
-/// The bytes of the file, the same for the same arguments on every machine: they hold no time stamp. Colours beyond 0
-/// to 1 are clipped in png and ppm, kept in exr and pfm. Only exr holds the film's layers.
+/// The bytes of the file, the same for the same arguments on every machine: they hold no time stamp. png and ppm show
+/// colours by the film's tone mapping and clip what is then beyond 0 to 1, exr and pfm keep them. Only exr holds the
+/// film's layers.
 std::string encode(const Film& film, ImageFormat format, const EncodeOptions& options);
 
 /// What the whole numbers of a picture mean where its file does not say so: sRGB, or light itself.

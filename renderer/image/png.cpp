@@ -57,11 +57,12 @@ struct Reader {
 
 /// A row of the film as the file's samples, high byte first.
 void quantise_row(const Film& film, int y, const SrgbQuantiser& quantise, int bits, std::vector<png_byte>& row) {
+  const ToneCurve curve(film.tone_mapping);
   png_byte* out = row.data();
   for (int x = 0; x < film.width; ++x) {
     const Rgb32& c = film.color[film.index(x, y)];
     for (const float v : {c.r, c.g, c.b}) {
-      const unsigned code = quantise(v);
+      const unsigned code = quantise(curve(v));
       if (bits == 16) *out++ = static_cast<png_byte>(code >> 8);
       *out++ = static_cast<png_byte>(code & 255);
     }

@@ -69,11 +69,12 @@ std::vector<float> light_of_samples(unsigned maximum, Transfer transfer) {
 
 std::string encode_ppm(const Film& film, const EncodeOptions& options) {
   const SrgbQuantiser quantise(options.bits);
+  const ToneCurve curve(film.tone_mapping);
   std::string bytes = fmt::format("P6\n{} {}\n{}\n", film.width, film.height, (1 << options.bits) - 1);
   bytes.reserve(bytes.size() + film.color.size() * 3 * static_cast<std::size_t>(options.bits / 8));
   for (const Rgb32& c : film.color) {
     for (const float v : {c.r, c.g, c.b}) {
-      const unsigned code = quantise(v);
+      const unsigned code = quantise(curve(v));
       if (options.bits == 16) bytes.push_back(static_cast<char>(code >> 8));
       bytes.push_back(static_cast<char>(code & 255));
     }

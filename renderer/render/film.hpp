@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/math/color.hpp"
+#include "renderer/math/tone_mapping.hpp"
 #include "renderer/math/vec3.hpp"
 
 #include <cstddef>
@@ -36,10 +37,24 @@ struct Film {
   std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
   std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
 
+  ToneMapping tone_mapping; ///< how it is to be shown; all colours here are linear light
+
+  /// Where it stands in the whole picture, which may be larger: its upper left corner, and the picture's size.
+  int left = 0, top = 0;
+  int picture_width = 0, picture_height = 0; ///< 0: the film is the whole picture
+
   bool has_layers() const { return !depth.empty(); }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
+
+/// What the pixels of a film take.
+constexpr std::uint64_t film_bytes(const PixelRect& rect, bool layers) {
+  constexpr std::uint64_t color = sizeof(Rgb32);
+  constexpr std::uint64_t further = sizeof(double) + 2 * sizeof(Xyz32) + sizeof(std::uint32_t) + sizeof(Rgb32);
+  return static_cast<std::uint64_t>(rect.width()) * static_cast<std::uint64_t>(rect.height()) *
+         (color + (layers ? further : 0));
+}
 
 } // namespace rt

@@ -32,20 +32,44 @@ constexpr int block_side = 4;
 static_assert(block_side * block_side <= camera_batch_size);
 constexpr std::chrono::milliseconds progress_interval{100};
 
-Film make_film(const PixelRect& rect, bool layers) {
+bool is_stopped(const RenderOptions& options) {
+  return options.stop && options.stop->load(std::memory_order_relaxed);
+}
+
+// Gigabytes take seconds to be cleared: a part at a time, so that they can be waited for, and given up.
+template <class Pixel>
+bool resize_in_parts(std::vector<Pixel>& pixels, std::size_t size, const Pixel& value, const RenderOptions& options,
+                     Clock::time_point start) {
+  constexpr std::size_t part = 1 << 22;
+  pixels.reserve(size);
+  while (pixels.size() < size) {
+    if (is_stopped(options)) return false;
+    pixels.resize(std::min(size, pixels.size() + part), value);
+    if (options.on_progress && pixels.size() < size) options.on_progress({0, 0, seconds_since(start)});
+  }
+  return true;
+}
+
+// A film without pixels where it was stopped.
+Film make_film(const PixelRect& rect, const scene::Resolution& picture, const RenderOptions& options,
+               Clock::time_point start) {
   Film film;
   film.width = rect.width();
   film.height = rect.height();
+  film.left = rect.x0;
+  film.top = rect.y0;
+  film.picture_width = picture[0];
+  film.picture_height = picture[1];
   const std::size_t pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-  film.color.resize(pixels);
-  if (layers) {
-    film.depth.assign(pixels, std::numeric_limits<double>::infinity());
-    film.normal.resize(pixels);
-    film.position.resize(pixels);
-    film.object_id.resize(pixels);
-    film.albedo.resize(pixels);
+  const auto fill = [&](auto& layer, const auto& value) {
+    return resize_in_parts(layer, pixels, value, options, start);
+  };
+  bool is_whole = fill(film.color, Rgb32{});
+  if (options.layers) {
+    is_whole = is_whole && fill(film.depth, std::numeric_limits<double>::infinity()) && fill(film.normal, Xyz32{}) &&
+               fill(film.position, Xyz32{}) && fill(film.object_id, std::uint32_t{0}) && fill(film.albedo, Rgb32{});
   }
-  return film;
+  return is_whole ? film : Film{};
 }
 
 Rgb32 to_single(const Color& c) {
@@ -243,11 +267,15 @@ void require_valid(const View& view) {
 
 } // namespace
 
+View view_of(const scene::Scene& scene) {
+  return {scene.camera, scene.size, scene.samples, tone_mapping(scene)};
+}
+
 Rendered render(const scene::Scene& scene, const RenderOptions& options) {
   const Clock::time_point build_start = Clock::now();
   const CompiledScene compiled(scene, thread_count(options.threads));
   const double build_seconds = seconds_since(build_start);
-  Rendered result = render(compiled, {scene.camera, scene.size, scene.samples}, options);
+  Rendered result = render(compiled, view_of(scene), options);
   result.statistics.primitives = count_primitives(scene);
   result.statistics.build_seconds = build_seconds;
   return result;
@@ -260,7 +288,12 @@ Rendered render(const CompiledScene& scene, const View& view, const RenderOption
   statistics.threads = thread_count(options.threads);
   const Clock::time_point trace_start = Clock::now();
   const PixelRect rect = options.crop.value_or(PixelRect{0, 0, view.size[0], view.size[1]});
-  result.film = make_film(rect, options.layers);
+  result.film = make_film(rect, view.size, options, trace_start);
+  if (result.film.color.empty()) {
+    result.is_complete = false;
+    return result;
+  }
+  result.film.tone_mapping = view.tone_mapping;
   Job job(view, scene, options, rect, result.film);
   {
     std::vector<std::jthread> threads;

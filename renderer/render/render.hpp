@@ -40,7 +40,8 @@ struct RenderStatistics {
 struct Rendered {
   Film film;
   RenderStatistics statistics;
-  bool is_complete = true; ///< false when stopped: the tiles not traced are black
+  bool is_complete =
+      true; ///< false when stopped: the tiles not traced are black, and before the first there is no film
 };
 
 /// The whole way from description to picture. The same bytes for any number of threads.
@@ -53,7 +54,10 @@ struct View {
   scene::Camera camera;
   scene::Resolution size{};
   int samples = 1; ///< a square number
+  ToneMapping tone_mapping = {};
 };
+/// The scene's own view of itself.
+View view_of(const scene::Scene& scene);
 /// The same for a scene that is compiled already; its primitives and the time to build are not counted.
 Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options);
 

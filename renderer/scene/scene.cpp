@@ -123,6 +123,8 @@ std::string place_text(const Scene& scene, Origin origin) {
 }
 
 std::span<const Field> fields(const Scene*) {
+  static constexpr std::string_view tone_choices[] = {"clip", "filmic"};
+  static constexpr Constraint stops{.min = -32, .max = 32};
   static constexpr Constraint pixels{.min = 1, .max = 65536, .is_whole = true};
   static constexpr Constraint depth{.min = 0, .max = 1000, .is_whole = true};
   static constexpr Constraint count{.min = 1, .max = 65536, .is_whole = true};
@@ -132,8 +134,15 @@ std::span<const Field> fields(const Scene*) {
       field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere, a number or a colour", not_negative}),
       field<&Scene::max_depth>("max_depth", {"8", "how often a ray may be mirrored or refracted", depth}),
       field<&Scene::samples>("samples", {"1", "rays for each pixel, a square number: a regular grid", count}),
+      field<&Scene::exposure>("exposure", {"0", "stops by which pictures of 8 and 16 bits are brighter", stops}),
+      field<&Scene::tone>("tone", {"clip", "what is too bright for them: clip makes it white, filmic rolls it off",
+                                   any_value, 0, std::nullopt, tone_choices}),
   };
   return table;
+}
+
+ToneMapping tone_mapping(const Scene& scene) {
+  return {scene.exposure.value_or(0), scene.tone.value_or(Tone::clip)};
 }
 
 std::optional<int> sample_grid(int samples) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "renderer/math/tone_mapping.hpp"
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/object.hpp"
 #include "renderer/scene/pattern.hpp"
 #include "renderer/scene/shapes.hpp"
 
+#include <optional>
 #include <string>
 
 namespace rt::scene {
@@ -18,6 +20,9 @@ struct Scene {
   Color ambient = grey(0.1);
   int max_depth = 8;
   int samples = 1; ///< a square number
+  // Absent where they are not written, so that the hash of a scene without them is what it was.
+  std::optional<double> exposure; ///< stops
+  std::optional<Tone> tone;
 
   Camera camera;
   Origin camera_origin;
@@ -35,7 +40,10 @@ struct Scene {
 /// The side n of the grid of n × n samples in a pixel; nothing where `samples` is no square number.
 std::optional<int> sample_grid(int samples);
 
-/// The fields of the scene itself: size, background, ambient, max_depth, samples.
+/// How its pictures of 8 and 16 bits show its light.
+ToneMapping tone_mapping(const Scene&);
+
+/// The fields of the scene itself: size, background, ambient, max_depth, samples, exposure, tone.
 std::span<const Field> fields(const Scene*);
 std::optional<Problem> check(const Scene&);
 

@@ -313,7 +313,10 @@ private:
   double whole_;
 };
 
-std::string clipping(const Color& c) {
+std::string clipping(const Color& linear, const ToneMapping& mapping) {
+  const ToneCurve curve(mapping);
+  const auto map = [&](double v) { return static_cast<double>(curve(static_cast<float>(v))); };
+  const Color c{map(linear.r), map(linear.g), map(linear.b)};
   if (c.r > 1 && c.g > 1 && c.b > 1) return "; it is brighter than the picture can show and clipped to white";
   std::vector<std::string> names;
   if (c.r > 1) names.push_back("red");
@@ -353,8 +356,8 @@ std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step
 std::string verdict(const Answer& answer) {
   const Color& seen = answer.tree->radiance;
   const bool is_dark = max_component(seen) < dark_below;
-  if (!is_dark) return Brightness(answer).sentence() + clipping(seen) + cuts(answer);
-  const std::string_view word = shown(seen) == "#000000" ? "black" : "dark";
+  if (!is_dark) return Brightness(answer).sentence() + clipping(seen, scene::tone_mapping(answer.scene)) + cuts(answer);
+  const std::string_view word = shown(seen, scene::tone_mapping(answer.scene)) == "#000000" ? "black" : "dark";
   const std::string reason = Darkness(answer).of(*answer.tree);
   const bool names_cut = reason.find("max_depth") != std::string::npos;
   return fmt::format("{} because {}", word, reason) + (names_cut ? "" : cuts(answer));

@@ -13,9 +13,10 @@ Answer::Answer(const scene::Scene& described, std::string_view file_name, const 
   if (question.pixel && scene.samples > 1) pixel = query.pixel((*question.pixel)[0], (*question.pixel)[1]);
 }
 
-std::string shown(const Color& linear) {
+std::string shown(const Color& linear, const ToneMapping& mapping) {
   const SrgbQuantiser quantise(8);
-  const auto byte = [&](double v) { return quantise(static_cast<float>(v)); };
+  const ToneCurve curve(mapping);
+  const auto byte = [&](double v) { return quantise(curve(static_cast<float>(v))); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(linear.r), byte(linear.g), byte(linear.b));
 }
 

@@ -38,7 +38,7 @@ nlohmann::ordered_json why_json(const Answer& answer, int depth);
 std::string verdict(const Answer& answer);
 
 /// What the picture shows of it: "#rrggbb".
-std::string shown(const Color& linear);
+std::string shown(const Color& linear, const ToneMapping& mapping);
 
 /// How a term's light came: "the sky, mirrored in `ball` (line 7)" without its first words.
 std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step);

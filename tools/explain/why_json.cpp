@@ -161,11 +161,12 @@ json why_json(const Answer& answer, int depth) {
   json j{{"about", answer.ray.name},
          {"scene", answer.file},
          {"radiance", to_json(seen)},
-         {"shown", shown(seen)},
+         {"shown", shown(seen, scene::tone_mapping(answer.scene))},
          {"sum_of_terms", to_json(answer.sum.total)}};
   if (answer.pixel)
-    j["pixel"] = {
-        {"samples", answer.scene.samples}, {"radiance", to_json(*answer.pixel)}, {"shown", shown(*answer.pixel)}};
+    j["pixel"] = {{"samples", answer.scene.samples},
+                  {"radiance", to_json(*answer.pixel)},
+                  {"shown", shown(*answer.pixel, scene::tone_mapping(answer.scene))}};
   j["because"] = verdict(answer);
   j["tree"] = TreeJson(answer, depth).ray(*answer.tree);
   return j;

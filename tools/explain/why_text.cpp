@@ -163,7 +163,8 @@ void write_sum(const Answer& answer, Page& page) {
 std::string headline(const Answer& answer) {
   const Color seen = answer.tree->radiance;
   return fmt::format("{} of {}: {} linear, shown as {}", answer.ray.name,
-                     std::filesystem::path(answer.file).filename().string(), color_text(seen), shown(seen));
+                     std::filesystem::path(answer.file).filename().string(), color_text(seen),
+                     shown(seen, scene::tone_mapping(answer.scene)));
 }
 
 } // namespace
@@ -173,7 +174,8 @@ std::string why_text(const Answer& answer, int depth) {
   page.line(0, headline(answer));
   if (answer.pixel)
     page.line(2, fmt::format("the pixel itself is the mean of its {} samples: {} linear, shown as {}",
-                             answer.scene.samples, color_text(*answer.pixel), shown(*answer.pixel)));
+                             answer.scene.samples, color_text(*answer.pixel),
+                             shown(*answer.pixel, scene::tone_mapping(answer.scene))));
   page.blank();
   TreeWriter(answer, depth, page).ray(*answer.tree, 0);
   page.blank();

@@ -2,6 +2,7 @@
 
 #include "renderer/scene/names.hpp"
 #include "renderer/scene/scene.hpp"
+#include "tools/inspect/object_ids.hpp"
 
 #include <type_traits>
 
@@ -44,7 +45,13 @@ public:
       list("operands", c.operands, [this](const scene::Object& o) { object(o); });
       sink_.end_object();
     });
-    list("objects", scene_.objects, [this](const scene::Object& o) { object(o); });
+    if constexpr (Sink::has_origins) {
+      const ObjectIds ids(scene_);
+      std::size_t i = 0;
+      list("objects", scene_.objects, [&](const scene::Object& o) { object(o, &ids, i++); });
+    } else {
+      list("objects", scene_.objects, [this](const scene::Object& o) { object(o); });
+    }
     sink_.end_object();
   }
 
@@ -182,7 +189,8 @@ private:
     sink_.end_object();
   }
 
-  void object(const scene::Object& o) {
+  /// With `ids` it is the scene's i-th.
+  void object(const scene::Object& o, const ObjectIds* ids = nullptr, std::size_t i = 0) {
     sink_.begin_object();
     scene_.shapes.visit(o.shape, [&](const auto& shape) {
       using Shape = std::decay_t<decltype(shape)>;
@@ -201,6 +209,10 @@ private:
     name(o.name);
     if (!o.is_visible) sink_.key("visible"), sink_.boolean(false);
     if (!o.casts_shadow) sink_.key("casts_shadow"), sink_.boolean(false);
+    if (ids && ids->count(i) > 0) {
+      number("first_id", static_cast<double>(ids->first(i)));
+      number("ids", static_cast<double>(ids->count(i)));
+    }
     origin(o.origin);
     sink_.end_object();
   }

@@ -22,7 +22,8 @@ const CompiledScene& SessionScene::compiled() {
 Rendered SessionScene::render(const PictureSettings& settings, const RenderOptions& options) {
   const scene::Scene& scene = session_.scene();
   return rt::render(compiled(),
-                    {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples)},
+                    {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples),
+                     scene::tone_mapping(scene)},
                     options);
 }
 

@@ -11,6 +11,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -67,6 +70,24 @@ std::string as_sentence(const std::string& message) {
   return std::regex_replace(std::regex_replace(message, missing, "$1 takes a value: $1 $2"), colon, "$1 $2 ");
 }
 
+/// Whether standard input is a pipe or a file.
+bool input_is_given() {
+  struct stat status {};
+  return ::fstat(STDIN_FILENO, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISREG(status.st_mode));
+}
+
+/// What to say where arguments are missing: all of them.
+std::string about_missing(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_required() && option->count() == 0) names.push_back(option->get_single_name());
+  const bool wants_scene = std::find(names.begin(), names.end(), "SCENE") != names.end();
+  return fmt::format("{} {} missing{}", fmt::join(names, " and "), names.size() == 1 ? "is" : "are",
+                     wants_scene && input_is_given()
+                         ? ": a scene from standard input is called `-`, as in `rtlang - < scene.rtl`"
+                         : "");
+}
+
 /// `first` is the command line's first word: the subcommand's name, unless that was left out.
 int run_subcommand(const Subcommand& subcommand, std::vector<std::string> arguments, const std::string& first) {
   const std::string name_given = first == subcommand.name ? first + ' ' : "";
@@ -83,6 +104,8 @@ int run_subcommand(const Subcommand& subcommand, std::vector<std::string> argume
     return exit_fine;
   } catch (const CLI::ExtrasError&) {
     return usage_error(about_extras(app.remaining(), app, first), name_given);
+  } catch (const CLI::RequiredError&) {
+    return usage_error(about_missing(app), name_given);
   } catch (const CLI::ParseError& error) {
     return usage_error(as_sentence(error.what()), name_given);
   } catch (const UsageError& error) {

@@ -128,6 +128,13 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
   print_error(text);
 }
 
+void show_printed(const lang::Loaded& loaded, const SceneArguments& arguments) {
+  if (arguments.json_diagnostics) return; // `show` has them in its array
+  std::string text;
+  for (const lang::Diagnostic& line : loaded.printed) text += lang::render_line(line, loaded.sources);
+  print_error(text);
+}
+
 lang::Loaded load_in_silence(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
@@ -140,6 +147,9 @@ lang::Loaded load_in_silence(const SceneArguments& arguments) {
 
 lang::Loaded load(const SceneArguments& arguments) {
   lang::Loaded loaded = load_in_silence(arguments);
+  show_printed(loaded, arguments);
+  if (arguments.json_diagnostics)
+    loaded.diagnostics.insert(loaded.diagnostics.begin(), loaded.printed.begin(), loaded.printed.end());
   show(loaded.diagnostics, loaded.sources, arguments);
   return loaded;
 }

@@ -44,6 +44,9 @@ lang::Loaded load(const SceneArguments& arguments);
 
 /// The same, with nothing on standard error.
 lang::Loaded load_in_silence(const SceneArguments& arguments);
+/// What the scene printed, on standard error, each line with its place; nothing where diagnostics are JSON: `load` has
+/// them among those.
+void show_printed(const lang::Loaded& loaded, const SceneArguments& arguments);
 
 /// Adds --size, --samples and --max-depth, each checked as the scene's field is.
 std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app);

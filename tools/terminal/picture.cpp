@@ -83,9 +83,11 @@ private:
 // With an alpha channel: libchafa reads rows of three bytes a pixel wrongly unless they are a multiple of four long.
 std::vector<std::uint8_t> encode(const Film& film) {
   static const Encoder encoder;
+  const ToneCurve curve(film.tone_mapping);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(film.color.size() * 4);
-  for (const Rgb32& c : film.color) bytes.insert(bytes.end(), {encoder(c.r), encoder(c.g), encoder(c.b), 255});
+  for (const Rgb32& c : film.color)
+    bytes.insert(bytes.end(), {encoder(curve(c.r)), encoder(curve(c.g)), encoder(curve(c.b)), 255});
   return bytes;
 }
 

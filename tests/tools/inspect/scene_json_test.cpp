@@ -1,4 +1,5 @@
 #include "tests/support/scenes.hpp"
+#include "tools/inspect/object_ids.hpp"
 #include "tools/inspect/scene_hash.hpp"
 #include "tools/inspect/scene_json.hpp"
 
@@ -57,7 +58,17 @@ TEST_CASE("scene as JSON: an object has its shape's properties, its place, its m
   CHECK(ball["casts_shadow"] == false);
   CHECK(ball["file"] == "test.rtl");
   CHECK(ball["line"] == 1);
-  CHECK(j["objects"][1] == json({{"shape", "plane"}, {"y", -1}, {"at", {0, 0, 0}}, {"file", "test.rtl"}, {"line", 2}}));
+  CHECK(j["objects"][1] == json({{"shape", "plane"},
+                                 {"y", -1},
+                                 {"at", {0, 0, 0}},
+                                 {"first_id", 2},
+                                 {"ids", 1},
+                                 {"file", "test.rtl"},
+                                 {"line", 2}}));
+  CHECK(j["objects"][2]["first_id"] == 3); // a group of two
+  CHECK(j["objects"][2]["ids"] == 2);
+  CHECK(j["objects"][3]["first_id"] == 5);
+  CHECK(j["objects"][3]["ids"] == 1); // a combination is one object
 }
 
 TEST_CASE("scene as JSON: groups and combinations are lists that objects name by index") {
@@ -150,4 +161,22 @@ TEST_CASE("scene hash: any change of the description changes it, source lines do
   for (scene::Object& object : moved.objects) object.origin.line += 10;
   moved.files = {"other.rtl"};
   CHECK(tools::scene_hash(moved) == before);
+}
+
+TEST_CASE("object ids: counted over what can be seen, named by the outermost name") {
+  WrittenScene b;
+  b.scene.names = {"table"};
+  scene::Object leg = b.object(scene::Box{});
+  scene::Object hidden = b.object(scene::Sphere{});
+  hidden.is_visible = false;
+  b.place(scene::Sphere{});
+  b.place(scene::Group{{leg, hidden, leg}}).name = scene::NameId{0};
+  b.place(scene::Group{{hidden, leg}});
+  const tools::ObjectIds ids(b.scene);
+  CHECK(ids.name(0).empty());
+  CHECK(ids.name(1) == "sphere 1");
+  CHECK(ids.name(2) == "table");
+  CHECK(ids.name(3) == "table");
+  CHECK(ids.name(4) == "box 4");
+  CHECK(ids.name(5).empty());
 }

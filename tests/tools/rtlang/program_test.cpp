@@ -116,7 +116,10 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"scene.rtl", "other.rtl"}) == "rtlang: unexpected argument `other.rtl`");
   CHECK(message({"scnee", "scene.rtl"}) == "rtlang: unknown command `scnee`: did you mean `scene`?");
   CHECK(message({"explain", "E9999"}).starts_with("rtlang: there is no code `E9999`"));
-  CHECK(message({"-q"}) == "rtlang: SCENE is required");
+  CHECK_THAT(message({"-q"}), StartsWith("rtlang: SCENE is missing: a scene from standard input is called `-`"));
+  CHECK(message({"diff", "a.png"}) == "rtlang: B is missing");
+  CHECK(message({"diff"}) == "rtlang: A and B are missing");
+  CHECK(message({"fmt"}) == "rtlang: FILES is missing");
   CHECK(desk.folder.names() == Names{"scene.rtl"});
 }
 

@@ -179,6 +179,7 @@ public:
     Listener listener(context_, survey);
     Whitted<OwnRules, Listener> whitted(scene, listener);
     TraceScratch scratch;
+    const ToneCurve curve(scene::tone_mapping(context_.scene));
     const int y = static_cast<int>((row + 0.5) * height / rows);
     for (int column = 0; column < columns; ++column) {
       const int x = static_cast<int>((column + 0.5) * width / columns);
@@ -190,7 +191,7 @@ public:
       if (!scene.nearest(ray, {}, scratch)) continue;
       ++survey.surfaces;
       survey.black += max_component(color) < black_below ? 1U : 0U;
-      survey.clipped += max_component(color) > white_from ? 1U : 0U;
+      survey.clipped += curve(static_cast<float>(max_component(color))) > white_from ? 1U : 0U;
     }
   }
 

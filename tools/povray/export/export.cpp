@@ -73,6 +73,10 @@ private:
                           scene_.samples));
       comment(out, "and take the mean of each square of pixels.");
     }
+    if (const ToneMapping tones = tone_mapping(scene_); tones != ToneMapping{})
+      comment(out,
+              fmt::format("This is the linear picture. rtlang shows it {} stops brighter, tone {}, in 8 and 16 bits.",
+                          tones.exposure, tones.tone == Tone::filmic ? "filmic" : "clip"));
     out.line("#version 3.7;");
     if (scene_.max_depth + 1 > most_trace_levels)
       inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}",

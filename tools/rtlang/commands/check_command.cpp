@@ -16,7 +16,7 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   std::vector<std::string> gates;
@@ -25,7 +25,7 @@ struct Arguments {
   double time_limit = 600;
 };
 
-povray::Gates gates_of(const Arguments& arguments) {
+povray::Gates gates_of(const CheckArguments& arguments) {
   povray::Gates gates;
   std::vector<NamedNumber> known;
   for (const povray::GateName& gate : povray::gate_names()) known.push_back({gate.name, &(gates.*gate.value)});
@@ -33,7 +33,7 @@ povray::Gates gates_of(const Arguments& arguments) {
   return gates;
 }
 
-int run_check(const Arguments& arguments) {
+int run_check(const CheckArguments& arguments) {
   live::CheckOptions options;
   options.gates = gates_of(arguments);
   options.time_limit = std::chrono::milliseconds(static_cast<long>(1000 * arguments.time_limit));
@@ -52,7 +52,7 @@ int run_check(const Arguments& arguments) {
 } // namespace
 
 Action declare_check(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   app.add_option("--report", arguments->html, "writes a page with both pictures, difference maps and the worst pixels")
       ->type_name("FILE.html");
   app.add_flag("--json", arguments->is_json, "prints the result as JSON");

@@ -18,7 +18,7 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct DiffArguments {
   std::string a, b;
   std::string heat;
   std::vector<std::string> gates;
@@ -97,7 +97,7 @@ std::string as_json(const std::vector<Measure>& all, const std::vector<std::opti
          "\n";
 }
 
-int run_diff(const Arguments& arguments) {
+int run_diff(const DiffArguments& arguments) {
   const Transfer assumed = arguments.is_linear ? Transfer::linear : Transfer::srgb;
   const Image a = read_image(arguments.a, assumed), b = read_image(arguments.b, assumed);
   if (a.width != b.width || a.height != b.height) {
@@ -122,7 +122,7 @@ int run_diff(const Arguments& arguments) {
 } // namespace
 
 Action declare_diff(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<DiffArguments>();
   app.add_option("A", arguments->a, "a picture: png, exr, ppm or pfm")->required()->group("");
   app.add_option("B", arguments->b, "another of the same size")->required()->group("");
   app.add_option("-o,--output", arguments->heat, "writes a difference map, logarithmic from 1e-8 to 1")

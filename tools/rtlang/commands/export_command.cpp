@@ -12,14 +12,14 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   std::string output;
   bool has_comments = true;
 };
 
-int run_export(const Arguments& arguments) {
+int run_export(const ExportArguments& arguments) {
   const live::Document document = load_document(*arguments.scene, *arguments.picture);
   if (!document.has_scene()) return exit_scene_is_wrong;
   const live::PovrayExport exported = live::export_povray(document, arguments.has_comments);
@@ -35,7 +35,7 @@ int run_export(const Arguments& arguments) {
 } // namespace
 
 Action declare_export(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   app.add_option("-o,--output", arguments->output, "output file (standard output if omitted)")->type_name("FILE");
   app.add_flag("!--no-comments", arguments->has_comments, "omits the comments with names and lines");
   arguments->picture = add_picture_arguments(app);

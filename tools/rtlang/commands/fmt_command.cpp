@@ -17,7 +17,7 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct FmtArguments {
   std::shared_ptr<SceneArguments> scene;
   std::vector<std::string> paths;
   bool only_checks = false;
@@ -27,7 +27,7 @@ struct Arguments {
 // is the exit code.
 class Run {
 public:
-  explicit Run(const Arguments& arguments) : arguments_(arguments), one_(*arguments.scene) {}
+  explicit Run(const FmtArguments& arguments) : arguments_(arguments), one_(*arguments.scene) {}
 
   int all() {
     for (const std::string& path : arguments_.paths) {
@@ -68,7 +68,7 @@ private:
 
   void ends_with(int code) { exit_code_ = std::max(exit_code_, code); }
 
-  const Arguments& arguments_;
+  const FmtArguments& arguments_;
   SceneArguments one_; // with the path of the file at hand
   lang::SourceMap sources_;
   std::vector<lang::Diagnostic> wrong_;
@@ -78,7 +78,7 @@ private:
 } // namespace
 
 Action declare_fmt(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FmtArguments>();
   app.add_flag("--check", arguments->only_checks, "writes nothing; lists the files that would change");
   arguments->scene = add_text_arguments(app);
   app.remove_option(app.get_option("SCENE"));

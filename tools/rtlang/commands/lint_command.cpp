@@ -13,7 +13,7 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct LintArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   explain::LintOptions options;
@@ -38,7 +38,7 @@ std::string conclusion(const std::vector<lang::Diagnostic>& warnings) {
                      warnings.front().code);
 }
 
-int run_lint(Arguments& arguments) {
+int run_lint(LintArguments& arguments) {
   if (arguments.lists_rules) return list_rules();
   if (arguments.scene->path.empty()) throw UsageError("SCENE is required");
   explain::require_rules(arguments.options.allowed);
@@ -62,7 +62,7 @@ int run_lint(Arguments& arguments) {
 } // namespace
 
 Action declare_lint(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LintArguments>();
   app.add_flag("--strict", arguments->is_strict, "exits with 1 if there are warnings");
   app.add_flag("--json", arguments->is_json, "prints JSON");
   app.add_option("--allow", arguments->options.allowed, "silences a rule (repeatable)")

@@ -8,14 +8,14 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments : QuestionArguments {
+struct ProbeArguments : QuestionArguments {
   live::ProbeOptions options;
 };
 
 } // namespace
 
 Action declare_probe(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ProbeArguments>();
   arguments->question = add_question_arguments(app);
   app.add_flag("--all", arguments->options.all, "lists all hits in order, not only the nearest");
   app.add_flag("--json", arguments->options.as_json, "prints JSON");

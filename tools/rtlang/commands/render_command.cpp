@@ -22,8 +22,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <thread>
 
 namespace rt::tools {
 namespace {
@@ -59,12 +65,12 @@ std::vector<Output> outputs(const RenderArguments& arguments) {
     paths.push_back(std::filesystem::path(arguments.scene->path).stem().string() + ".png");
   }
   if (std::count(paths.begin(), paths.end(), "-") > 1) throw UsageError("only one picture can go to standard output");
+  if (std::count(paths.begin(), paths.end(), "-") == 1 && ::isatty(STDOUT_FILENO) != 0)
+    throw UsageError("a terminal cannot show a picture file: say -o FILE, or pass it on with `| …` or `> FILE`");
   std::vector<Output> list;
   for (const std::string& path : paths) {
     std::optional<ImageFormat> format = format_of(path);
-    const std::filesystem::path file = path;
-    const bool needs_no_extension =
-        path == "-" || (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file));
+    const bool needs_no_extension = path == "-" || is_stream(path);
     if (!format && !arguments.format.empty()) format = format_by_name(arguments.format);
     if (!format && needs_no_extension) format = ImageFormat::png;
     if (!format)
@@ -93,8 +99,8 @@ void write(const std::vector<Output>& list, const Film& film, int bits, const st
   for (const Output& output : list) {
     const std::string software = fmt::format("rtlang {}", version_number());
     const bool is_exr = output.format == ImageFormat::exr; // whose attributes have names in this style
-    EncodeOptions options{bits,
-                          {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}};
+    EncodeOptions options{
+        bits, {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}, {}};
     const std::string bytes = encode(film, output.format, options);
     if (output.path == "-")
       print(bytes);
@@ -112,6 +118,37 @@ void report(const RenderArguments& arguments, const RunStatistics& statistics) {
     print_error(summary(statistics));
 }
 
+/// While it lives, tells that nothing is traced yet.
+class Waiting {
+public:
+  explicit Waiting(const std::function<void(const Progress&)>& tell) {
+    if (tell) thread_ = std::jthread([tell](const std::stop_token& stop) { run(tell, stop); });
+  }
+
+private:
+  static void run(const std::function<void(const Progress&)>& tell, const std::stop_token& stop) {
+    const Clock::time_point start = Clock::now();
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, stop, std::chrono::milliseconds(100), [&] { return stop.stop_requested(); }))
+      tell({0, 0, seconds_since(start)});
+  }
+
+  std::jthread thread_;
+};
+
+Rendered render_within_memory(const CompiledScene& compiled, const scene::Scene& scene, const RenderOptions& options) {
+  try {
+    return rt::render(compiled, view_of(scene), options);
+  } catch (const std::bad_alloc&) {
+    const PixelRect rect = options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]});
+    throw std::runtime_error(fmt::format(
+        "there is not enough memory: a picture of {}×{} pixels takes {}B{}", rect.width(), rect.height(),
+        human(static_cast<double>(film_bytes(rect, options.layers))), options.layers ? " with its layers" : ""));
+  }
+}
+
 Rendered render_with_progress(const RenderArguments& arguments, const scene::Scene& scene, RenderOptions options) {
   ProgressBar bar;
   if (error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
@@ -119,10 +156,11 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
   const Clock::time_point build_start = Clock::now();
   const auto compiled = [&] {
     const EndsAtOnce building;
+    const Waiting waiting(options.on_progress);
     return std::make_unique<const CompiledScene>(scene, options.threads);
   }();
   const double build_seconds = seconds_since(build_start);
-  Rendered rendered = rt::render(*compiled, {scene.camera, scene.size, scene.samples}, options);
+  Rendered rendered = render_within_memory(*compiled, scene, options);
   rendered.statistics.primitives = scene::count_primitives(scene);
   rendered.statistics.build_seconds = build_seconds;
   return rendered;
@@ -150,7 +188,7 @@ int run_render(const RenderArguments& arguments) {
   options.layers = std::any_of(list.begin(), list.end(), [](const Output& o) { return o.format == ImageFormat::exr; });
   if (!arguments.crop.empty()) options.crop = crop(arguments.crop, scene.size);
   const Rendered rendered = render_with_progress(arguments, scene, options);
-  if (!rendered.is_complete && !arguments.keeps_partial) throw Interrupted{};
+  if (!rendered.is_complete && (!arguments.keeps_partial || rendered.film.color.empty())) throw Interrupted{};
 
   const Clock::time_point write_start = Clock::now();
   statistics.scene_hash = scene_hash(scene);
@@ -192,6 +230,7 @@ Action declare_render(CLI::App& app) {
       ->type_name("N")
       ->check(whole_number(1, 1024));
   arguments->scene = add_scene_arguments(app);
+  arguments->scene->options.needs_things = true;
   app.add_flag("--stats{text}", arguments->statistics, "prints timings and counts as a table, or as JSON")
       ->type_name("[json]")
       ->check(one_of({"text", "json"}));

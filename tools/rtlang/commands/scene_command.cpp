@@ -13,13 +13,13 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct SceneCommandArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   bool wants_hash = false;
 };
 
-int run_scene(const Arguments& arguments) {
+int run_scene(const SceneCommandArguments& arguments) {
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
   arguments.picture->apply_to(*loaded.scene);
@@ -33,12 +33,13 @@ int run_scene(const Arguments& arguments) {
 } // namespace
 
 Action declare_scene(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SceneCommandArguments>();
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
   app.add_flag("--hash", arguments->wants_hash, "prints only the hash that pictures of the scene carry");
   app.footer(
-      "Numbers are exact and colours linear. Materials, patterns, groups and combinations are referred to by index.");
+      "Numbers are exact and colours linear. Materials, patterns, groups and combinations are referred to by index.\n"
+      "The ids of an object in the layer object.id of an exr are the `ids` numbers from `first_id` on.");
   return [arguments] { return run_scene(*arguments); };
 }
 

@@ -13,7 +13,7 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments {
+struct TestArguments {
   std::shared_ptr<SceneArguments> scene;
   std::vector<std::string> paths;
   bool is_json = false;
@@ -44,7 +44,7 @@ json to_json(const std::string& path, const lang::Loaded& loaded) {
           {"errors", json::parse(lang::render_json(errors, loaded.sources))}};
 }
 
-int run_test(const Arguments& arguments) {
+int run_test(const TestArguments& arguments) {
   std::size_t passed = 0, failed = 0, broken = 0;
   json scenes = json::array();
   SceneArguments one = *arguments.scene;
@@ -52,6 +52,7 @@ int run_test(const Arguments& arguments) {
   for (const std::string& path : arguments.paths) {
     one.path = path;
     const lang::Loaded loaded = load_in_silence(one);
+    show_printed(loaded, one);
     passed += loaded.expectations.passed;
     failed += loaded.expectations.failed;
     if (!loaded.scene) ++broken;
@@ -72,7 +73,7 @@ int run_test(const Arguments& arguments) {
 } // namespace
 
 Action declare_test(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TestArguments>();
   app.add_flag("--json", arguments->is_json, "prints JSON");
   arguments->scene = add_scene_arguments(app);
   CLI::Option* scene = app.get_option("SCENE");

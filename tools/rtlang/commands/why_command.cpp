@@ -10,14 +10,14 @@
 namespace rt::tools {
 namespace {
 
-struct Arguments : QuestionArguments {
+struct WhyArguments : QuestionArguments {
   live::WhyOptions options;
 };
 
 } // namespace
 
 Action declare_why(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<WhyArguments>();
   arguments->question = add_question_arguments(app);
   app.add_option("--depth", arguments->options.depth, "expands rays down to this depth; deeper ones are summarised")
       ->type_name("N")

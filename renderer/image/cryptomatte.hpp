@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// Mattes for compositing programs: which object a pixel shows, by the hash of its name, and the names in the file's
+/// metadata (Friedman and Jones, Cryptomatte Specification 1.2: psyop/cryptomatte).
+namespace rt::image {
+
+/// MurmurHash3_x86_32 with seed 0 (Appleby, public domain).
+std::uint32_t murmur_hash(std::string_view text);
+
+/// The bits of the float that stands for a name: its hash, made a finite and normal number.
+std::uint32_t matte_id(std::string_view name);
+
+/// Keys and values of a layer's metadata; `ids` are the matte ids of the names that occur.
+std::vector<std::pair<std::string, std::string>> matte_metadata(std::string_view layer,
+                                                                const std::map<std::string, std::uint32_t>& ids);
+
+} // namespace rt::image

@@ -10,7 +10,7 @@
 namespace rt::scene {
 namespace {
 
-using Kind = Violation::Kind;
+using Violated = Violation::Kind;
 
 std::string bounds_text(const Constraint& c) {
   const auto low = fmt::format("{} {}", c.min_is_excluded ? "greater than" : "at least", format_number(c.min));
@@ -30,10 +30,10 @@ bool is_kept(const Constraint& c, double number) {
 
 Violation broken(const Constraint& c, double number) {
   const std::string found = "this is " + format_number(number);
-  if (!std::isfinite(number)) return {Kind::not_finite, "is not a finite number", found};
+  if (!std::isfinite(number)) return {Violated::not_finite, "is not a finite number", found};
   Constraint bounds = c;
   bounds.is_whole = false;
-  return {Kind::out_of_bounds, is_kept(bounds, number) ? "must be a whole number" : bounds_text(c), found};
+  return {Violated::out_of_bounds, is_kept(bounds, number) ? "must be a whole number" : bounds_text(c), found};
 }
 
 std::optional<Violation> check_all(const Constraint& constraint, std::initializer_list<double> numbers) {
@@ -47,19 +47,19 @@ std::optional<Violation> check_all(const Constraint& constraint, std::initialize
 std::optional<Violation> check(const Constraint& constraint, double number) {
   if (!is_kept(constraint, number)) return broken(constraint, number);
   if (!constraint.is_nonzero || number != 0) return std::nullopt;
-  return Violation{Kind::out_of_bounds, "must not be 0", "this is 0"};
+  return Violation{Violated::out_of_bounds, "must not be 0", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Vec3& vector) {
   if (auto violation = check_all(constraint, {vector.x, vector.y, vector.z})) return violation;
   if (!constraint.is_nonzero || length(vector) != 0) return std::nullopt;
-  return Violation{Kind::no_direction, "must have a direction", "this has length 0"};
+  return Violation{Violated::no_direction, "must have a direction", "this has length 0"};
 }
 
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size) {
   if (auto violation = check_all(constraint, {size.x, size.y, size.z})) return violation;
   if (!constraint.is_nonzero || (size.x != 0 && size.y != 0 && size.z != 0)) return std::nullopt;
-  return Violation{Kind::flattens, "must not be 0: that flattens the thing", "this is 0"};
+  return Violation{Violated::flattens, "must not be 0: that flattens the thing", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Color& color) {
@@ -69,7 +69,7 @@ std::optional<Violation> check(const Constraint& constraint, const Color& color)
 std::optional<Violation> check_count(const Constraint& c, std::size_t count) {
   if (count >= static_cast<std::size_t>(c.min_count) && count <= static_cast<std::size_t>(c.max_count))
     return std::nullopt;
-  return Violation{Kind::count,
+  return Violation{Violated::count,
                    c.min_count == c.max_count ? fmt::format("takes exactly {} points", c.min_count)
                                               : fmt::format("takes at least {} points", c.min_count),
                    fmt::format("this has {}", count)};

@@ -20,20 +20,22 @@ _rtlang() {
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')
   elif [[ $command == explain ]]; then
     words=$("$program" explain 2>/dev/null | sed 's/ .*//')
+  elif [[ $command == doc ]]; then
+    words=$("$program" doc 2>/dev/null | sed -n 's/^  \([A-Za-z_][A-Za-z0-9_]*\) .*/\1/p')
   elif ((COMP_CWORD == 1)); then
     words=$commands
   fi
 
   local IFS=$' \t\n'
   COMPREPLY=($(compgen -W "$words" -- "$word"))
-  [[ $word == -* || $command == explain ]] && return
+  [[ $word == -* || $command == explain || $command == doc ]] && return
   compopt -o filenames 2>/dev/null
   IFS=$'\n'
   case $previous in
     -o | --output | --report) COMPREPLY+=($(compgen -f -- "$word")) ;;
     --include-root) COMPREPLY+=($(compgen -d -- "$word")) ;;
     --diagnostics | --format | --bits | --allow) ;;
-    *) COMPREPLY+=($(compgen -f -X '!*.@(rtl|png|exr|ppm|pgm|pfm)' -- "$word") $(compgen -d -- "$word")) ;;
+    *) COMPREPLY+=($(compgen -f -- "$word" | grep -E '\.(rtl|png|exr|ppm|pgm|pfm)$') $(compgen -d -- "$word")) ;;
   esac
 }
 

@@ -40,7 +40,7 @@ void PreviewPrinter::show(const PictureExtent& extent, const Film& film) {
   ready_ = std::move(picture);
   ready_rows_ = extent.rows;
   const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t n = write(wake_fd_, &one, sizeof one);
+  [[maybe_unused]] const ssize_t n = ::write(wake_fd_, &one, sizeof one);
 }
 
 void PreviewPrinter::drain() const {

@@ -62,6 +62,27 @@ TEST_CASE("install: program, library, examples, manual page and completion are w
   CHECK(folder.read("out.png").size() > 100);
 }
 
+TEST_CASE("install: bash without extglob completes commands, files, and the names that `doc` knows") {
+  const TestFolder folder;
+  folder.write("scene.rtl", "sphere {}\n");
+  folder.write("notes.txt", "");
+  const auto completions = [&](const std::string& words) {
+    const std::string script = "shopt -u extglob; source " RTLANG_SOURCE_DIR
+                               "/tools/install/rtlang.bash; COMP_WORDS=(" +
+                               words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rtlang; echo \"${COMPREPLY[*]}\"";
+    RunOptions options;
+    options.folder = folder.path();
+    const Outcome run = run_program("/bin/bash", {"--norc", "-c", script}, options);
+    CHECK(run.errors.empty());
+    return run.output;
+  };
+  const std::string program = RTLANG_BINARY;
+  CHECK(completions(program + " sce") == "scene\nscene.rtl\n");
+  CHECK(completions(program + " lint ''") == "scene.rtl\n");
+  CHECK(completions(program + " doc sph") == "sphere\nspherical\n");
+  CHECK(completions(program + " explain E060").starts_with("E0601\nE0602\n"));
+}
+
 TEST_CASE("readme: every scene in it renders") {
   const auto scenes = blocks(readme(), "rtl");
   REQUIRE_FALSE(scenes.empty());

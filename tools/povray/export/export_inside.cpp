@@ -8,9 +8,6 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) {
-  return v / std::hypot(v.x, v.y, v.z);
-}
 double square(const Vec3& v) {
   return dot(v, v);
 }

@@ -9,10 +9,6 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) {
-  return v / std::hypot(v.x, v.y, v.z);
-}
-
 Primitive primitive_of(const Sphere& s) {
   return {"sphere", fmt::format("0, {}", number(s.radius))};
 }

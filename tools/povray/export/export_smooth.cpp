@@ -8,10 +8,6 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) {
-  return v / std::hypot(v.x, v.y, v.z);
-}
-
 Triangle moved(Triangle t, const Map& map) {
   const Map back = inverse(map);
   for (Vec3& p : t.points) p = map.point(p);

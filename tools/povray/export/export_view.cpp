@@ -10,10 +10,6 @@ namespace {
 
 using namespace rt::scene;
 
-Vec3 unit(const Vec3& v) {
-  return v / std::hypot(v.x, v.y, v.z);
-}
-
 // POV-Ray's fade is 2 / (1 + (D / fade_distance)^fade_power): the colour is halved for it. 1 / D² is the limit of
 // (1/e²) / (1 + (D/e)²) for small e, with a relative error of (e/D)²: 1e-12 at distance 1.
 std::string fade(const Fade& fade, Color& color) {

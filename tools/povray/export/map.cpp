@@ -57,6 +57,10 @@ Map map_of(const scene::MatrixStep& step) {
 
 } // namespace
 
+Vec3 unit(const Vec3& v) {
+  return v / std::hypot(v.x, v.y, v.z);
+}
+
 Vec3 Map::vector(const Vec3& v) const {
   return v.x * row[0] + v.y * row[1] + v.z * row[2];
 }

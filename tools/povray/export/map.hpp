@@ -23,6 +23,9 @@ Map then(const Map& a, const Map& b);
 /// `map` must not flatten space.
 Map inverse(const Map& map);
 
+/// The vector of length 1 in the direction of `v`.
+Vec3 unit(const Vec3& v);
+
 Map map_of(const scene::RotateAxisStep& step);
 Map map_of(const scene::ShearStep& step);
 Map map_of(const scene::MirrorStep& step);

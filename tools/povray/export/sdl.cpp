@@ -32,7 +32,7 @@ std::string transform_of(const scene::MoveStep& step) {
 }
 template <class Other>
 std::string transform_of(const Other& step) {
-  return fmt::format(" {}", matrix(map_of(scene::Step(step))));
+  return fmt::format(" {}", matrix(povray::map_of(scene::Step(step))));
 }
 
 } // namespace

@@ -10,10 +10,12 @@ namespace {
 
 constexpr double per_radian = 180 / std::numbers::pi;
 
-// The sine of an angle from 0 to 90 where it is 0, ½ or 1.
-std::optional<double> exact_sine(double a) {
+// The sine of an angle of the set square, rounded to the nearest, for a from 0 to 90.
+std::optional<double> set_square_sine(double a) {
   if (a == 0) return 0;
   if (a == 30) return 0.5;
+  if (a == 45) return std::sqrt(0.5);
+  if (a == 60) return std::sqrt(0.75);
   if (a == 90) return 1;
   return std::nullopt;
 }
@@ -31,7 +33,7 @@ double sin_degrees(double degrees) {
   const double turn = std::fmod(degrees, 360.0); // exact, like the differences below
   const double a = std::abs(turn);
   const double half = a >= 180 ? a - 180 : a;
-  if (const auto exact = exact_sine(half > 90 ? 180 - half : half))
+  if (const auto exact = set_square_sine(half > 90 ? 180 - half : half))
     return *exact == 0 ? 0 : std::signbit(turn) != (a >= 180) ? -*exact : *exact;
   return std::sin(turn * (std::numbers::pi / 180));
 }
@@ -39,7 +41,7 @@ double sin_degrees(double degrees) {
 double cos_degrees(double degrees) {
   const double turn = std::abs(std::fmod(degrees, 360.0));
   const double a = turn > 180 ? 360 - turn : turn;
-  if (const auto exact = exact_sine(std::abs(90 - a))) return a > 90 ? -*exact : *exact;
+  if (const auto exact = set_square_sine(std::abs(90 - a))) return a > 90 ? -*exact : *exact;
   return std::cos(turn * (std::numbers::pi / 180));
 }
 

@@ -214,7 +214,13 @@ TEST_CASE("numbers: with a point at either end, and with a sign") {
   CHECK(errors("x = 5.x\nsphere {}") == std::vector<std::string>{"E0212"});
 }
 
-TEST_CASE("numbers: arcs are exact where sines are") {
+TEST_CASE("numbers: the set square is exact both ways") {
+  CHECK(number("tan(45)") == 1);
+  CHECK(number("tan(135)") == -1);
+  CHECK(text("sin(45) == cos(45)") == "true");
+  CHECK(text("sin(60) == cos(30)") == "true");
+  CHECK(number("asin(sqrt(0.5))") == 45);
+  CHECK(number("acos(-sqrt(0.5))") == 135);
   CHECK(number("asin(0.5)") == 30);
   CHECK(number("acos(0.5)") == 60);
   CHECK(number("atan(-1)") == -45);

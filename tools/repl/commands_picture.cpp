@@ -1,5 +1,6 @@
 #include "renderer/image/file.hpp"
 #include "renderer/image/image.hpp"
+#include "tools/inspect/object_ids.hpp"
 #include "tools/inspect/scene_hash.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/options.hpp"
@@ -73,7 +74,8 @@ void write(const std::string& path, const Film& film, ImageFormat format, const 
   const bool is_exr = format == ImageFormat::exr;
   const EncodeOptions options{8,
                               {{is_exr ? "software" : "Software", fmt::format("rtlang {}", version_number())},
-                               {is_exr ? "sceneHash" : "Scene-Hash", scene_hash(scene)}}};
+                               {is_exr ? "sceneHash" : "Scene-Hash", scene_hash(scene)}},
+                              [ids = ObjectIds(scene)](std::uint32_t id) { return ids.name(id); }};
   replace_file(path, encode(film, format, options));
 }
 

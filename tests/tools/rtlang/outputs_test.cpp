@@ -95,6 +95,12 @@ TEST_CASE("outputs: a crop in an exr knows its place") {
   CHECK(crop.picture_height == 6);
 }
 
+TEST_CASE("outputs: an exr says what its objects are called") {
+  const Desk desk;
+  REQUIRE(desk.run({"scene.rtl", "-q", "-o", "out.exr"}).exit_code == 0);
+  CHECK_THAT(desk.folder.read("out.exr"), Contains("{\"ball\":\""));
+}
+
 TEST_CASE("outputs: a picture that memory cannot hold is told with its size") {
   const Desk desk;
   const Outcome run = desk.shell("ulimit -v 3000000; rtlang scene.rtl --size 60000x60000 -q -o out.png");

@@ -2,6 +2,7 @@
 #include "renderer/image/file.hpp"
 #include "renderer/image/image.hpp"
 #include "renderer/render/render.hpp"
+#include "tools/inspect/object_ids.hpp"
 #include "tools/inspect/scene_hash.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/help.hpp"
@@ -95,12 +96,15 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   return rect;
 }
 
-void write(const std::vector<Output>& list, const Film& film, int bits, const std::string& hash) {
+void write(const std::vector<Output>& list, const Film& film, int bits, const scene::Scene& scene,
+           const std::string& hash) {
+  const ObjectIds ids(scene);
   for (const Output& output : list) {
     const std::string software = fmt::format("rtlang {}", version_number());
     const bool is_exr = output.format == ImageFormat::exr; // whose attributes have names in this style
-    EncodeOptions options{
-        bits, {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}}, {}};
+    EncodeOptions options{bits,
+                          {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}},
+                          [&ids](std::uint32_t id) { return ids.name(id); }};
     const std::string bytes = encode(film, output.format, options);
     if (output.path == "-")
       print(bytes);
@@ -192,7 +196,7 @@ int run_render(const RenderArguments& arguments) {
 
   const Clock::time_point write_start = Clock::now();
   statistics.scene_hash = scene_hash(scene);
-  write(list, rendered.film, arguments.bits, statistics.scene_hash);
+  write(list, rendered.film, arguments.bits, scene, statistics.scene_hash);
   statistics.write_seconds = seconds_since(write_start);
 
   statistics.scene = arguments.scene->path;

@@ -11,7 +11,8 @@
 /// handled here does not compile.
 ///
 /// A `Sink` has begin_object, end_object, begin_array, end_array, key(name), number(double), boolean(bool),
-/// string(text) and `has_origins`, which says whether it wants to know where things were written.
+/// string(text) and `has_origins`, which says whether it wants to know where things were written,
+/// and by which ids a film knows them.
 namespace rt::tools {
 
 template <class Sink>
@@ -48,7 +49,13 @@ public:
     if constexpr (Sink::has_origins) {
       const ObjectIds ids(scene_);
       std::size_t i = 0;
-      list("objects", scene_.objects, [&](const scene::Object& o) { object(o, &ids, i++); });
+      list("objects", scene_.objects, [&](const scene::Object& o) { object(o, ids.range(i++)); });
+      list("manifest", ids.manifest(), [&](const ObjectIds::NamedRange& named) {
+        sink_.begin_object();
+        text("name", named.name);
+        id_range(named.ids);
+        sink_.end_object();
+      });
     } else {
       list("objects", scene_.objects, [this](const scene::Object& o) { object(o); });
     }
@@ -189,8 +196,14 @@ private:
     sink_.end_object();
   }
 
-  /// With `ids` it is the scene's i-th.
-  void object(const scene::Object& o, const ObjectIds* ids = nullptr, std::size_t i = 0) {
+  void id_range(ObjectIds::Range ids) {
+    if (ids.first == ids.last) return number("id", static_cast<double>(ids.first));
+    if (ids.last < ids.first) return;
+    sink_.key("ids");
+    numbers({static_cast<double>(ids.first), static_cast<double>(ids.last)});
+  }
+
+  void object(const scene::Object& o, ObjectIds::Range ids = {1, 0}) {
     sink_.begin_object();
     scene_.shapes.visit(o.shape, [&](const auto& shape) {
       using Shape = std::decay_t<decltype(shape)>;
@@ -209,10 +222,7 @@ private:
     name(o.name);
     if (!o.is_visible) sink_.key("visible"), sink_.boolean(false);
     if (!o.casts_shadow) sink_.key("casts_shadow"), sink_.boolean(false);
-    if (ids && ids->count(i) > 0) {
-      number("first_id", static_cast<double>(ids->first(i)));
-      number("ids", static_cast<double>(ids->count(i)));
-    }
+    id_range(ids);
     origin(o.origin);
     sink_.end_object();
   }

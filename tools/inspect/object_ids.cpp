@@ -35,6 +35,31 @@ std::uint64_t ObjectIds::count(const scene::Object& object) const {
   return in_group_[object.shape.index] = sum;
 }
 
+void ObjectIds::add_named(const scene::Object& object, std::uint64_t first, std::vector<NamedRange>& list) const {
+  if (object.name != scene::no_name) {
+    const std::string_view name = scene_.names[static_cast<std::size_t>(object.name)];
+    const std::uint64_t n = count(object);
+    if (n == 0) return;
+    if (!list.empty() && list.back().name == name && list.back().ids.last + 1 == first)
+      list.back().ids.last += n;
+    else
+      list.push_back({name, {first, first + n - 1}});
+    return;
+  }
+  const scene::Group* members = object.is_visible ? group(scene_, object) : nullptr;
+  if (!members) return;
+  for (const scene::Object& member : members->members) {
+    add_named(member, first, list);
+    first += count(member);
+  }
+}
+
+std::vector<ObjectIds::NamedRange> ObjectIds::manifest() const {
+  std::vector<NamedRange> list;
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) add_named(scene_.objects[i], firsts_[i], list);
+  return list;
+}
+
 std::string ObjectIds::name(std::uint64_t id) const {
   if (id == 0 || id >= firsts_.back()) return {};
   const auto i = static_cast<std::size_t>(std::upper_bound(firsts_.begin(), firsts_.end(), id) - firsts_.begin()) - 1;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt::tools {
@@ -15,15 +16,25 @@ public:
   /// The scene must outlive it.
   explicit ObjectIds(const scene::Scene& scene);
 
-  /// The ids of the scene's i-th object are the `count(i)` ones from `first(i)` on.
-  std::uint64_t first(std::size_t i) const { return firsts_[i]; }
-  std::uint64_t count(std::size_t i) const { return firsts_[i + 1] - firsts_[i]; }
+  struct Range {
+    std::uint64_t first, last; ///< none where last < first
+  };
+  /// The ids of the scene's i-th object.
+  Range range(std::size_t i) const { return {firsts_[i], firsts_[i + 1] - 1}; }
+
+  struct NamedRange {
+    std::string_view name;
+    Range ids;
+  };
+  /// The ids that have a name, in their order, neighbours of one name together.
+  std::vector<NamedRange> manifest() const;
 
   /// The name of the outermost named thing that holds it, which several may share; else its noun and the id itself.
   std::string name(std::uint64_t id) const;
 
 private:
   std::uint64_t count(const scene::Object& object) const;
+  void add_named(const scene::Object& object, std::uint64_t first, std::vector<NamedRange>& list) const;
 
   const scene::Scene& scene_;
   mutable std::vector<std::uint64_t> in_group_; // by group, once it was counted

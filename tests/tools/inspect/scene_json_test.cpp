@@ -58,17 +58,30 @@ TEST_CASE("scene as JSON: an object has its shape's properties, its place, its m
   CHECK(ball["casts_shadow"] == false);
   CHECK(ball["file"] == "test.rtl");
   CHECK(ball["line"] == 1);
-  CHECK(j["objects"][1] == json({{"shape", "plane"},
-                                 {"y", -1},
-                                 {"at", {0, 0, 0}},
-                                 {"first_id", 2},
-                                 {"ids", 1},
-                                 {"file", "test.rtl"},
-                                 {"line", 2}}));
-  CHECK(j["objects"][2]["first_id"] == 3); // a group of two
-  CHECK(j["objects"][2]["ids"] == 2);
-  CHECK(j["objects"][3]["first_id"] == 5);
-  CHECK(j["objects"][3]["ids"] == 1); // a combination is one object
+  CHECK(j["objects"][1] ==
+        json({{"shape", "plane"}, {"y", -1}, {"at", {0, 0, 0}}, {"id", 2}, {"file", "test.rtl"}, {"line", 2}}));
+  CHECK(j["objects"][2]["ids"] == json({3, 4})); // a group of two
+  CHECK(j["objects"][3]["id"] == 5);             // a combination is one object
+}
+
+TEST_CASE("scene as JSON: the manifest has the ids of every name, the outermost for those in groups") {
+  const auto named = [](scene::Object object, scene::NameId name) {
+    object.name = name;
+    return object;
+  };
+  WrittenScene b;
+  b.scene.names = {"ball", "pair", "hidden"};
+  const auto sphere = [&] { return b.object(scene::Sphere{}); };
+  scene::Object hidden = named(sphere(), scene::NameId{2});
+  hidden.is_visible = false;
+  b.place(scene::Sphere{}); // 1
+  b.place(
+      scene::Group{{named(sphere(), scene::NameId{0}), hidden, sphere(), named(sphere(), scene::NameId{0})}}); // 2 to 4
+  b.scene.objects.push_back(
+      named(b.object(scene::Group{{named(sphere(), scene::NameId{0}), sphere()}}), scene::NameId{1})); // 5 and 6
+  b.scene.objects.push_back(named(sphere(), scene::NameId{1}));                                        // 7
+  CHECK(json::parse(text_of(b.scene))["manifest"] ==
+        json::parse(R"([{"name": "ball", "id": 2}, {"name": "ball", "id": 4}, {"name": "pair", "ids": [5, 7]}])"));
 }
 
 TEST_CASE("scene as JSON: groups and combinations are lists that objects name by index") {
@@ -120,8 +133,8 @@ TEST_CASE("scene as JSON: numbers keep all their digits and every object has a l
   CHECK(j["objects"][2]["radius"].get<double>() == 1e-300);
   CHECK(j["objects"][3]["radius"].get<double>() == 123456789.123456789);
   CHECK(j["objects"][4]["radius"].get<double>() == std::numeric_limits<double>::max());
-  CHECK(text.find("\n    {\"shape\": \"sphere\", \"radius\": 0.1, \"at\": [0, 0, 0], \"file\": \"test.rtl\", \"line\": "
-                  "1},\n") != std::string::npos);
+  CHECK(text.find("\n    {\"shape\": \"sphere\", \"radius\": 0.1, \"at\": [0, 0, 0], \"id\": 1, \"file\": "
+                  "\"test.rtl\", \"line\": 1},\n") != std::string::npos);
   CHECK(text == text_of(b.scene));
 }
 

@@ -67,9 +67,9 @@ TEST_CASE("install: bash without extglob completes commands, files, and the name
   folder.write("scene.rtl", "sphere {}\n");
   folder.write("notes.txt", "");
   const auto completions = [&](const std::string& words) {
-    const std::string script = "shopt -u extglob; source " RTLANG_SOURCE_DIR
-                               "/tools/install/rtlang.bash; COMP_WORDS=(" +
-                               words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rtlang; echo \"${COMPREPLY[*]}\"";
+    const std::string script =
+        "shopt -u extglob; source " RTLANG_SOURCE_DIR "/tools/install/rtlang.bash; COMP_WORDS=(" + words +
+        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rtlang; printf '%s\\n' \"${COMPREPLY[@]}\"";
     RunOptions options;
     options.folder = folder.path();
     const Outcome run = run_program("/bin/bash", {"--norc", "-c", script}, options);

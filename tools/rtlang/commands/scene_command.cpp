@@ -39,7 +39,9 @@ Action declare_scene(CLI::App& app) {
   app.add_flag("--hash", arguments->wants_hash, "prints only the hash that pictures of the scene carry");
   app.footer(
       "Numbers are exact and colours linear. Materials, patterns, groups and combinations are referred to by index.\n"
-      "The ids of an object in the layer object.id of an exr are the `ids` numbers from `first_id` on.");
+      "`id` is an object's number in the layer object.id of an exr, `ids` the first and the last of a group's; "
+      "`manifest`\n"
+      "says what they are called.");
   return [arguments] { return run_scene(*arguments); };
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/integrators/recorder.hpp"
-#include "renderer/shading/bsdf.hpp"
+#include "renderer/shading/whitted_bsdf.hpp"
 
 namespace rt {
 
@@ -22,7 +22,7 @@ struct Interaction {
   PathState* path;
   double t;
   Surface surface;
-  Bsdf bsdf{};
+  WhittedBsdf bsdf{};
   Vec3 normal{};     ///< the shading normal, turned to the viewer
   double cosine = 0; ///< between the ray and the normal, positive
   Color light{};     ///< what leaves the surface towards the viewer by itself

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "renderer/compile/compiled_scene.hpp"
-#include "renderer/shading/bsdf.hpp"
 #include "renderer/shading/lights.hpp"
 #include "renderer/shading/media.hpp"
+#include "renderer/shading/whitted_bsdf.hpp"
 
 namespace rt {
 

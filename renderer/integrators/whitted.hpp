@@ -32,7 +32,7 @@ public:
 
   /// The path has hit `at.surface`, where the material has these values.
   void arrive(Interaction& at, const RayHit& hit, const MaterialValues& values) {
-    at.bsdf = Bsdf(values);
+    at.bsdf = WhittedBsdf(values);
     const double approach = dot(at.surface.shading_normal, at.path->ray.direction);
     at.normal = approach > 0 ? -at.surface.shading_normal : at.surface.shading_normal;
     at.cosine = std::abs(approach);

@@ -10,6 +10,12 @@ inline constexpr MaterialId no_material{0xffffffff};
 
 enum class Highlight : std::uint8_t { blinn, phong };
 
+/// The complex index of refraction n + ik of a metal, for each channel.
+struct Metal {
+  Color n = white, k = black;
+  friend bool operator==(const Metal&, const Metal&) = default;
+};
+
 /// The surface and, through `ior`, the inside of a solid: Whitted's model (An Improved Illumination Model for Shaded
 /// Display, 1980) with ambient, emission, metallic tint and Fresnel. The default material is a white matte.
 struct Material {

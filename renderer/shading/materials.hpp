@@ -20,6 +20,10 @@ struct MaterialValues {
   double ior = 1;
   scene::Highlight highlight = scene::Highlight::blinn;
   bool fresnel = false;
+  std::optional<double> roughness = std::nullopt;
+  std::optional<scene::Metal> metal = std::nullopt;
+  double coat = 0, coat_roughness = 0, coat_ior = 1.5;
+  bool thin = false;
   friend bool operator==(const MaterialValues&, const MaterialValues&) = default;
 };
 

@@ -1,4 +1,4 @@
-#include "renderer/shading/bsdf.hpp"
+#include "renderer/shading/whitted_bsdf.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,7 +16,7 @@ Vec3 at_degrees(double angle) {
 
 // Seen from `to_viewer`, lit with white light from `to_light`.
 ReflectedLight lit(const MaterialValues& values, const Vec3& to_viewer, const Vec3& to_light) {
-  return Bsdf(values).evaluate(white, -to_viewer, up, to_light, to_light.z, true);
+  return WhittedBsdf(values).evaluate(white, -to_viewer, up, to_light, to_light.z, true);
 }
 
 MaterialValues glossy(scene::Highlight form, double specular, double shininess) {
@@ -64,8 +64,8 @@ TEST_CASE("bsdf: Phong's highlight is a power of the cosine between the light an
 
 TEST_CASE("bsdf: a light that is to give none brings no highlight") {
   const MaterialValues v = glossy(scene::Highlight::blinn, 1, 8);
-  CHECK(Bsdf(v).evaluate(white, -up, up, up, 1, false).highlight == black);
-  CHECK(Bsdf(v).evaluate(white, -up, up, up, 1, true).highlight == white);
+  CHECK(WhittedBsdf(v).evaluate(white, -up, up, up, 1, false).highlight == black);
+  CHECK(WhittedBsdf(v).evaluate(white, -up, up, up, 1, true).highlight == white);
 }
 
 TEST_CASE("bsdf: a metal's highlight and mirror have its colour at the normal and are white at grazing angles") {
@@ -73,7 +73,7 @@ TEST_CASE("bsdf: a metal's highlight and mirror have its colour at the normal an
   gold.color = {1, 0.75, 0.25}, gold.metallic = 1, gold.reflect = white;
   const ReflectedLight straight = lit(gold, up, up);
   CHECK(straight.highlight.b == Approx(0.25).margin(1e-4));
-  const Bsdf bsdf(gold);
+  const WhittedBsdf bsdf(gold);
   CHECK(bsdf.specular(1, 1, 1).rho.b == Approx(0.25).margin(1e-4));
   CHECK(bsdf.specular(0, 1, 1).rho.b == Approx(1).margin(1e-3));
 }
@@ -82,7 +82,8 @@ TEST_CASE("bsdf: at normal incidence glass mirrors ((n − 1)/(n + 1))² and let
   for (const double n : {1.333, 1.5, 2.417}) {
     const double share = (n - 1) / (n + 1) * ((n - 1) / (n + 1));
     const MaterialValues values = glass(n);
-    const SpecularTerms entering = Bsdf(values).specular(1, 1 / n, n), leaving = Bsdf(values).specular(1, n, 1 / n);
+    const SpecularTerms entering = WhittedBsdf(values).specular(1, 1 / n, n),
+                        leaving = WhittedBsdf(values).specular(1, n, 1 / n);
     for (const SpecularTerms& terms : {entering, leaving}) {
       CHECK(terms.reflectance == Approx(share).epsilon(1e-12));
       CHECK(terms.rho.g == Approx(share).epsilon(1e-12));
@@ -96,7 +97,7 @@ TEST_CASE("bsdf: at normal incidence glass mirrors ((n − 1)/(n + 1))² and let
 TEST_CASE("bsdf: all is mirrored beyond the angle whose sine is 1/n, and nothing before it") {
   const double n = 1.5, critical = std::asin(1 / n) * 180 / 3.14159265358979323846; // 41.8°
   const MaterialValues values = glass(n);
-  const auto from_inside = [&](double angle) { return Bsdf(values).specular(at_degrees(angle).z, n, 1 / n); };
+  const auto from_inside = [&](double angle) { return WhittedBsdf(values).specular(at_degrees(angle).z, n, 1 / n); };
   const SpecularTerms beyond = from_inside(critical + 0.01);
   CHECK(beyond.is_total);
   CHECK(beyond.rho == white);
@@ -106,19 +107,19 @@ TEST_CASE("bsdf: all is mirrored beyond the angle whose sine is 1/n, and nothing
   CHECK(before.is_bent);
   CHECK(before.tau.g > 0);
   CHECK(before.rho.g < 1);
-  CHECK_FALSE(Bsdf(values).specular(at_degrees(89.9).z, 1 / n, n).is_total); // from outside never
+  CHECK_FALSE(WhittedBsdf(values).specular(at_degrees(89.9).z, 1 / n, n).is_total); // from outside never
 }
 
 TEST_CASE("bsdf: the refracted ray's angle is Snell's") {
   // sin 30° = 1.5 sin β: cos β = √(1 − 1/9)
   const MaterialValues values = glass(1.5);
-  CHECK(Bsdf(values).specular(at_degrees(30).z, 1 / 1.5, 1.5).cos_behind == Approx(std::sqrt(8.0 / 9)));
+  CHECK(WhittedBsdf(values).specular(at_degrees(30).z, 1 / 1.5, 1.5).cos_behind == Approx(std::sqrt(8.0 / 9)));
 }
 
 TEST_CASE("bsdf: without a difference of indices nothing is bent") {
   MaterialValues film;
   film.refract = 0.5, film.color = {1, 0.5, 0};
-  const SpecularTerms terms = Bsdf(film).specular(0.3, 1, 1);
+  const SpecularTerms terms = WhittedBsdf(film).specular(0.3, 1, 1);
   CHECK_FALSE(terms.is_bent);
   CHECK(terms.tau == Color{0.5, 0.25, 0});
   CHECK(terms.rho == black);
@@ -127,7 +128,7 @@ TEST_CASE("bsdf: without a difference of indices nothing is bent") {
 TEST_CASE("bsdf: a mirror without Fresnel's equation is the same at every angle") {
   MaterialValues v;
   v.reflect = {0.1, 0.2, 0.3};
-  const Bsdf bsdf(v);
+  const WhittedBsdf bsdf(v);
   CHECK(bsdf.is_mirror());
   CHECK_FALSE(bsdf.is_transparent());
   for (const double cosine : {1.0, 0.5, 0.01}) CHECK(bsdf.specular(cosine, 1, 1).rho == Color{0.1, 0.2, 0.3});

@@ -29,11 +29,11 @@ struct SpecularTerms {
 
 /// How a surface scatters light: Lambert's diffuse reflection, Blinn's or Phong's highlight, a mirror and refraction,
 /// weighted as in Whitted's model. Directions are unit vectors; `n` is the shading normal, turned to the viewer.
-class Bsdf {
+class WhittedBsdf {
 public:
-  Bsdf() = default;
+  WhittedBsdf() = default;
   /// The values must outlive it.
-  explicit Bsdf(const MaterialValues& values) : values_(&values), body_(values.color * (1 - values.refract)) {}
+  explicit WhittedBsdf(const MaterialValues& values) : values_(&values), body_(values.color * (1 - values.refract)) {}
 
   const MaterialValues& values() const { return *values_; }
   /// The share of the colour that is not transparent.

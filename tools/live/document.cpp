@@ -1,7 +1,7 @@
 #include "tools/live/document.hpp"
 
 #include "tools/explain/probe.hpp"
-#include "tools/explain/why.hpp"
+#include "tools/explain/why/why.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "tools/explain/ray_tree.hpp"
+#include "tools/explain/why/ray_tree.hpp"
 
 #include "renderer/integrators/whitted.hpp"
 

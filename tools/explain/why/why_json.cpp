@@ -1,7 +1,7 @@
 #include "renderer/scene/names.hpp"
 #include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
-#include "tools/explain/why_surface.hpp"
+#include "tools/explain/why/why_surface.hpp"
 
 #include <cmath>
 #include <numbers>

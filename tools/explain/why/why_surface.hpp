@@ -2,7 +2,7 @@
 
 #include "tools/explain/derivation/derivation.hpp"
 #include "tools/explain/intervals.hpp"
-#include "tools/explain/why.hpp"
+#include "tools/explain/why/why.hpp"
 
 /// One surface of a tree of rays as text.
 namespace rt::tools::explain {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/explain/ray_tree.hpp"
+#include "tools/explain/why/ray_tree.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "tools/explain/contributions.hpp"
+#include "tools/explain/why/contributions.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "tools/explain/contributions.hpp"
 #include "tools/explain/naming.hpp"
 #include "tools/explain/question.hpp"
 #include "tools/explain/text.hpp"
+#include "tools/explain/why/contributions.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,8 +3,8 @@
 #include "lang/load.hpp"
 #include "renderer/render/render.hpp"
 #include "tests/paths.hpp"
-#include "tools/explain/why.hpp"
-#include "tools/explain/why_surface.hpp"
+#include "tools/explain/why/why.hpp"
+#include "tools/explain/why/why_surface.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "lang/load.hpp"
 #include "tests/paths.hpp"
 #include "tests/support/program.hpp"
-#include "tools/explain/why.hpp"
+#include "tools/explain/why/why.hpp"
 #include "tools/terminal/exit_code.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "tools/explain/why.hpp"
+#include "tools/explain/why/why.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/explain/why_surface.hpp"
+#include "tools/explain/why/why_surface.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,10 @@
 
 namespace rt::scene {
 
+std::string_view name(const Scene& scene, NameId id) {
+  return id == no_name ? std::string_view() : std::string_view(scene.names[static_cast<std::size_t>(id)]);
+}
+
 std::string_view noun(const Shapes& shapes, ShapeRef shape) {
   return shapes.visit(shape, []<class S>(const S&) -> std::string_view { return S::noun; });
 }

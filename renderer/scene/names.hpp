@@ -2,12 +2,16 @@
 
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/pattern.hpp"
+#include "renderer/scene/scene.hpp"
 #include "renderer/scene/shapes.hpp"
 
 #include <string_view>
 
-/// What the language calls the kinds of things, where one is known at run time only.
+/// What things are called, and what the language calls their kinds, where one is known at run time only.
 namespace rt::scene {
+
+/// The name of an object or a light; "" for `no_name`.
+std::string_view name(const Scene& scene, NameId id);
 
 /// Of a combination "combination"; `noun(Combination::Operation)` says which.
 std::string_view noun(const Shapes& shapes, ShapeRef shape);

@@ -1,5 +1,6 @@
 #include "tools/explain/json.hpp"
 
+#include "renderer/scene/names.hpp"
 #include "tools/explain/naming.hpp"
 
 namespace rt::tools::explain {
@@ -16,7 +17,7 @@ json objects_json(const scene::Scene& scene, std::span<const std::uint32_t> path
   json objects = json::array();
   for (const scene::Object* object : objects_on(scene, path)) {
     json o{{"shape", scene.shapes.visit(object->shape, [](const auto& shape) { return std::string(shape.noun); })}};
-    if (object->name != scene::no_name) o["name"] = scene.names[static_cast<std::size_t>(object->name)];
+    if (object->name != scene::no_name) o["name"] = scene::name(scene, object->name);
     objects.push_back(with_place(scene, std::move(o), object->origin));
   }
   return objects;

@@ -5,14 +5,6 @@
 #include <fmt/format.h>
 
 namespace rt::tools::explain {
-namespace {
-
-std::string name_at(const scene::Scene& scene, scene::NameId id) {
-  return scene.names[static_cast<std::size_t>(id)];
-}
-
-} // namespace
-
 std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::span<const std::uint32_t> path) {
   std::vector<const scene::Object*> found;
   const std::vector<scene::Object>* list = &scene.objects;
@@ -38,7 +30,7 @@ const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint3
 }
 
 std::string name_of(const scene::Scene& scene, const scene::Object& object) {
-  if (object.name != scene::no_name) return fmt::format("`{}`", name_at(scene, object.name));
+  if (object.name != scene::no_name) return fmt::format("`{}`", scene::name(scene, object.name));
   if (object.shape.kind == scene::kind_of<scene::Combination>) {
     return std::string(noun(scene.shapes.get<scene::Combination>(object.shape).operation));
   }
@@ -46,7 +38,7 @@ std::string name_of(const scene::Scene& scene, const scene::Object& object) {
 }
 
 std::string name_of(const scene::Scene& scene, const scene::Light& light) {
-  if (light.name != scene::no_name) return fmt::format("`{}`", name_at(scene, light.name));
+  if (light.name != scene::no_name) return fmt::format("`{}`", scene::name(scene, light.name));
   return std::string(noun(light.source));
 }
 

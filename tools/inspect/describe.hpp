@@ -161,7 +161,7 @@ private:
   }
 
   void name(scene::NameId id) {
-    if (id != scene::no_name) text("name", scene_.names[static_cast<std::size_t>(id)]);
+    if (id != scene::no_name) text("name", scene::name(scene_, id));
   }
   void origin(const scene::Origin& from) {
     if constexpr (Sink::has_origins) {

@@ -14,7 +14,7 @@ _rtlang() {
     --bits) words='8 16' ;;
     --stats) words='json' ;;
     --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --gate | --depth-share | --scenes | --seed) return ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')

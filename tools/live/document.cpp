@@ -1,7 +1,6 @@
 #include "tools/live/document.hpp"
 
 #include "tools/explain/probe.hpp"
-#include "tools/explain/why/why.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,8 +29,8 @@ std::string Document::probe(const explain::Question& question, const ProbeOption
 
 std::string Document::why(const explain::Question& question, const WhyOptions& options) {
   const explain::Answer answer(scene(), file_, query(), question);
-  if (options.as_json) return explain::why_json(answer, options.depth).dump(2) + "\n";
-  return explain::why_text(answer, options.depth);
+  if (options.as_json) return explain::why_json(answer, options.detail).dump(2) + "\n";
+  return explain::why_text(answer, options.detail);
 }
 
 std::vector<lang::Diagnostic> Document::lint(const explain::LintOptions& options) const {

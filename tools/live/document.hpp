@@ -4,9 +4,9 @@
 #include "renderer/render/render.hpp"
 #include "tools/explain/lint/lint.hpp"
 #include "tools/explain/question.hpp"
+#include "tools/explain/why/why.hpp"
 #include "tools/live/picture_settings.hpp"
 
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct ProbeOptions {
 };
 
 struct WhyOptions {
-  int depth = std::numeric_limits<int>::max(); ///< deeper rays are summed up
+  explain::Detail detail;
   bool as_json = false;
 };
 

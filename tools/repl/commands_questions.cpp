@@ -104,7 +104,10 @@ bool probe(Shell& shell, std::string_view arguments) {
 
 bool why(Shell& shell, std::string_view arguments) {
   live::WhyOptions options;
-  const PixelQuestion q = pixel_question("why", arguments, {{"depth", &options.depth}, {"json", &options.as_json}});
+  explain::Detail& detail = options.detail;
+  const PixelQuestion q = pixel_question(
+      "why", arguments,
+      {{"all", &detail.all}, {"depth", &detail.depth}, {"least", &detail.least}, {"json", &options.as_json}});
   if (!q.problem.empty()) return shell.fail(q.problem);
   return answer(shell, q.settings, [&](live::Document& document, const std::atomic<bool>&) {
     return Reply{document.why(explain::parse(q.question), options)};
@@ -249,7 +252,7 @@ bool time(Shell& shell, std::string_view arguments) {
 std::span<const ShellCommand> question_commands() {
   static constexpr ShellCommand table[] = {
       {"probe", "X Y", "shows what a pixel sees", ArgumentKind::none, probe},
-      {"why", "X Y", "explains a pixel's colour", ArgumentKind::none, why},
+      {"why", "X Y", "explains a pixel's colour; --all, --depth N, --least WEIGHT", ArgumentKind::none, why},
       {"lint", "", "warns about likely mistakes", ArgumentKind::none, lint},
       {"check", "", "compares the picture with POV-Ray's", ArgumentKind::none, check},
       {"export", "pov FILE", "exports the scene to POV-Ray", ArgumentKind::file, export_scene},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <type_traits>
 
 namespace rt::tools {
@@ -28,10 +29,16 @@ std::string store(const CommandOption& option, const std::string& text) {
         using Target = std::remove_pointer_t<decltype(target)>;
         if constexpr (std::is_same_v<Target, bool>) {
           *target = true;
-        } else if constexpr (std::is_same_v<Target, int>) {
+        } else if constexpr (std::is_same_v<Target, int> || std::is_same_v<Target, std::optional<int>>) {
           const auto number = live::parse_numbers(text, ',', 1);
           if (!number || number->front() < 0) return fmt::format("takes a whole number, not `{}`", text);
           *target = number->front();
+        } else if constexpr (std::is_same_v<Target, std::optional<double>>) {
+          double share = 0;
+          const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+          if (error != std::errc() || end != text.data() + text.size() || !(share >= 0 && share <= 1))
+            return fmt::format("takes a number from 0 to 1, not `{}`", text);
+          *target = share;
         } else if constexpr (std::is_same_v<Target, live::PictureSettings>) {
           return set(*target, option.name, text);
         } else if constexpr (std::is_same_v<Target, std::string>) {

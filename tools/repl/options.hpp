@@ -2,6 +2,7 @@
 
 #include "tools/live/picture_settings.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,11 +11,13 @@
 
 namespace rt::tools {
 
-/// An option of a command, and where its value goes: a flag is set, a whole number or a text is stored, several texts
-/// are added. A setting of the picture is read by the field's name, which is the option's.
+/// An option of a command, and where its value goes: a flag is set, a whole number, a share (0 to 1) or a text is
+/// stored, several texts are added. A setting of the picture is read by the field's name, which is the option's.
 struct CommandOption {
   std::string_view name; ///< without the hyphens
-  std::variant<bool*, int*, std::string*, std::vector<std::string>*, live::PictureSettings*> target;
+  std::variant<bool*, int*, std::optional<int>*, std::optional<double>*, std::string*, std::vector<std::string>*,
+               live::PictureSettings*>
+      target;
   int count = 1; ///< how many words follow; more than one for several texts only
 };
 

@@ -20,9 +20,11 @@ TEST_CASE("options of a command: they are taken out, wherever they stand") {
 
 TEST_CASE("options of a command: what is wrong with them is said") {
   rt::tools::live::PictureSettings settings;
-  int depth = 0;
+  std::optional<int> depth;
+  std::optional<double> least;
   std::vector<CommandOption> options = picture_options(settings);
   options.push_back({"depth", &depth});
+  options.push_back({"least", &least});
   const auto problem = [&](std::vector<std::string> words) { return take_options(words, options); };
   CHECK(problem({"--sizes", "3x3"}) == "unknown option `--sizes`; did you mean `--size`?");
   CHECK(problem({"--size"}) == "--size takes a value");
@@ -30,6 +32,10 @@ TEST_CASE("options of a command: what is wrong with them is said") {
   CHECK(problem({"--max-depth", "2"}) == "");
   CHECK(settings.max_depth == 2);
   CHECK(problem({"--depth", "-2"}) == "--depth takes a whole number, not `-2`");
+  CHECK(problem({"--least", "0.25"}) == "");
+  CHECK(least == 0.25);
+  CHECK(problem({"--least", "1.5"}) == "--least takes a number from 0 to 1, not `1.5`");
+  CHECK(problem({"--least", "much"}) == "--least takes a number from 0 to 1, not `much`");
 }
 
 } // namespace

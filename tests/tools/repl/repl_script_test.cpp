@@ -83,6 +83,17 @@ TEST_CASE("session as a script: the reference, POV-Ray's format and the program'
   CHECK(session(folder, ":doc spher\n").errors.find("did you mean `sphere`?") != std::string::npos);
 }
 
+TEST_CASE("session as a script: :why shows the main path of light, or as much of the tree as is asked for") {
+  const TestFolder folder;
+  const std::string scene = "sphere { material: material { refract: 0.9, reflect: 0.1, ior: 1.5 } }\n";
+  const std::string path = session(folder, scene + ":why 400 300\n").output;
+  const std::string all = session(folder, scene + ":why 400 300 --all\n").output;
+  CHECK(path.find("(--all shows all ") != std::string::npos);
+  CHECK(path.find("mirrored ray, depth 1") == std::string::npos);
+  CHECK(all.find("mirrored ray, depth 1") != std::string::npos);
+  CHECK(session(folder, scene + ":why 400 300 --least 2\n").errors == "--least takes a number from 0 to 1, not `2`\n");
+}
+
 TEST_CASE("session as a script: what has a name is explained, also one's own") {
   const TestFolder folder;
   CHECK(session(folder, "def crate(planks = 3) { box {} }\n:doc crate\n").output ==

@@ -1,3 +1,4 @@
+#include "tools/explain/why/light_path.hpp"
 #include "tools/explain/why/why.hpp"
 
 #include <fmt/format.h>
@@ -135,21 +136,22 @@ private:
                        answer_.scene.background == black ? "black" : "dark");
   }
 
-  // What the surface would show most of: its body, its mirror image, or what is behind it.
   std::string of(const RayNode& ray, std::size_t i, const SurfaceNode& s) const {
-    const double body = 1 - s.material.refract;
-    const double mirror = s.mirror ? max_component(s.mirror->rho) : 0;
-    const double through = s.transition ? s.material.refract : 0;
     const std::string title = surfaces_.title(s);
-    if (s.total_reflection) return deeper(*s.total_reflection->ray, fmt::format("{} reflects the ray totally", title));
-    if (through > body && through >= mirror) {
+    switch (prospect(s)) {
+    case Prospect::totally_reflected:
+      return deeper(*s.total_reflection->ray, fmt::format("{} reflects the ray totally", title));
+    case Prospect::through:
       if (s.material.color == black) return fmt::format("{} lets nothing through: its color is black", title);
       if (max_component(s.transition->tau) < dark_below)
         return fmt::format("{} lets through only {}", title, percent_text(max_component(s.transition->tau)));
       if (s.transition->ray) return deeper(*s.transition->ray, fmt::format("it is seen through {}", title));
       return chained(fmt::format("it is seen through {}", title), of(ray, i + 1));
+    case Prospect::mirrored:
+      return deeper(*s.mirror->ray, fmt::format("{} mirrors", title));
+    case Prospect::own_shading:
+      break;
     }
-    if (mirror > 0.5 * body && s.mirror->ray) return deeper(*s.mirror->ray, fmt::format("{} mirrors", title));
     return lit(s, title);
   }
 
@@ -336,22 +338,6 @@ std::string cuts(const Answer& answer) {
 }
 
 } // namespace
-
-std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step) {
-  std::string text, last;
-  std::vector<WayStep> way = sum.way(last_step);
-  std::reverse(way.begin(), way.end());
-  for (const WayStep& step : way) {
-    const std::string title = namer.title(step.at->path);
-    const std::string part = step.how == WayStep::How::mirrored ? fmt::format("mirrored in {}", title)
-                             : step.how == WayStep::How::totally_reflected
-                                 ? fmt::format("totally reflected in {}", title)
-                                 : fmt::format("through {}", title);
-    if (part != last) text += ", " + part;
-    last = part;
-  }
-  return text;
-}
 
 std::string verdict(const Answer& answer) {
   const Color& seen = answer.tree->radiance;

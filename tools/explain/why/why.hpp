@@ -3,7 +3,7 @@
 #include "tools/explain/naming.hpp"
 #include "tools/explain/question.hpp"
 #include "tools/explain/text.hpp"
-#include "tools/explain/why/contributions.hpp"
+#include "tools/explain/why/light_path.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Why a ray brings the light it brings.
 namespace rt::tools::explain {
@@ -27,12 +28,32 @@ struct Answer {
   NamedRay ray;
   std::unique_ptr<RayNode> tree;
   Sum sum;
+  LightPath path;
   std::optional<Color> pixel; ///< where the pixel has several samples: their mean
 };
 
-/// The whole tree of rays down to `depth`, the list of what adds up to the radiance, and the sentence.
-std::string why_text(const Answer& answer, int depth);
-nlohmann::ordered_json why_json(const Answer& answer, int depth);
+/// How much of the tree of rays an explanation shows; a ray that is not shown is a line with what it returns. Unless
+/// told otherwise it shows the rays on the path that carries most of the light.
+struct Detail {
+  bool all = false;            ///< every ray
+  std::optional<int> depth;    ///< rays down to this depth, the first ray's being 0
+  std::optional<double> least; ///< rays with at least this weight, by its largest component
+
+  bool is_path_only() const { return !all && !depth && !least; }
+};
+bool shows(const Answer& answer, const Detail& detail, const RayNode& ray);
+
+/// The rays, what adds up to the radiance, and the sentence.
+std::string why_text(const Answer& answer, const Detail& detail);
+nlohmann::ordered_json why_json(const Answer& answer, const Detail& detail);
+
+/// A term of the sum in words; terms with the same words are one.
+struct NamedTerm {
+  std::string text; ///< "sun (line 7) on `table` (line 30), mirrored in `ball` (line 9)"
+  Color value;
+};
+/// All of them, the largest first.
+std::vector<NamedTerm> named_terms(const Answer& answer);
 
 /// One sentence: why it is dark, bright or coloured as it is.
 std::string verdict(const Answer& answer);

@@ -65,7 +65,7 @@ json passage_json(const MediumTransition& p) {
 
 class TreeJson {
 public:
-  TreeJson(const Answer& answer, int depth) : answer_(answer), depth_(depth) {}
+  TreeJson(const Answer& answer, const Detail& detail) : answer_(answer), detail_(detail) {}
 
   json ray(const RayNode& node) const {
     static constexpr std::string_view kinds[] = {"camera", "reflected", "refracted", "total_reflection"};
@@ -75,7 +75,7 @@ public:
            {"weight", to_json(node.weight)},
            {"ray", ray_json(node.ray)},
            {"radiance", to_json(node.radiance)}};
-    if (!node.is_expanded || node.depth > depth_) return j;
+    if (!shows(answer_, detail_, node)) return j;
     json surfaces = json::array();
     for (const SurfaceNode& s : node.surfaces) surfaces.push_back(surface(s));
     j["surfaces"] = std::move(surfaces);
@@ -151,12 +151,12 @@ private:
   }
 
   const Answer& answer_;
-  int depth_;
+  const Detail& detail_;
 };
 
 } // namespace
 
-json why_json(const Answer& answer, int depth) {
+json why_json(const Answer& answer, const Detail& detail) {
   const Color seen = answer.tree->radiance;
   json j{{"about", answer.ray.name},
          {"scene", answer.file},
@@ -167,8 +167,12 @@ json why_json(const Answer& answer, int depth) {
     j["pixel"] = {{"samples", answer.scene.samples},
                   {"radiance", to_json(*answer.pixel)},
                   {"shown", shown(*answer.pixel, scene::tone_mapping(answer.scene))}};
+  json terms = json::array();
+  for (const NamedTerm& term : named_terms(answer))
+    terms.push_back({{"value", to_json(term.value)}, {"what", term.text}});
+  j["terms"] = std::move(terms);
   j["because"] = verdict(answer);
-  j["tree"] = TreeJson(answer, depth).ray(*answer.tree);
+  j["tree"] = TreeJson(answer, detail).ray(*answer.tree);
   return j;
 }
 

@@ -183,21 +183,6 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
                                     color_text(r.reflected.highlight)));
 }
 
-void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
-  const MaterialValues& m = s.material;
-  page.line(indent, fmt::format("shading with {}", material_text(s)));
-  page.line(indent + 2, fmt::format("ambient = a·c·{}·{} = {}", color_text(m.ambient),
-                                    color_text(answer.compiled.ambient()), color_text(s.ambient)));
-  if (m.emission != black)
-    page.line(indent + 2, fmt::format("emission = a·c·{} = {}", color_text(m.emission), color_text(s.emission)));
-  for (const LightNode& light : s.lights) write_light(answer, s, light, page, indent + 2);
-  if (s.lights.empty()) page.line(indent + 2, "there is no light");
-  page.line(indent + 2, fmt::format("together {}{}", color_text(s.shading()),
-                                    s.passed == white ? ""
-                                                      : fmt::format(", of which the surfaces before it transmit {}",
-                                                                    color_text(s.passed * s.shading()))));
-}
-
 } // namespace
 
 Derivation derivation_of(const Answer& answer, const SurfaceNode& s) {
@@ -212,17 +197,37 @@ std::optional<CombinationIntervals> intervals_of(const Answer& answer, const Sur
   return intervals_along(answer.scene, s.path, s.ray);
 }
 
-void write_surface(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+void write_meeting(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
                                 vector_text(s.surface.point), side_text(answer, s)));
-  if (const auto intervals = intervals_of(answer, s)) write_combination(answer, s, *intervals, page, indent + 2);
-  write_derivation(derivation_of(answer, s), page, indent + 2);
+}
+
+void write_derivation(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  if (const auto intervals = intervals_of(answer, s)) write_combination(answer, s, *intervals, page, indent);
+  write_derivation(derivation_of(answer, s), page, indent);
+}
+
+void write_normal(const SurfaceNode& s, Page& page, int indent) {
   const bool is_smooth = !(s.surface.shading_normal == s.surface.geometric_normal);
-  page.line(indent + 2, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
-                                    is_smooth ? fmt::format(", from the corners' normals (the face's own is {})",
-                                                            vector_text(s.surface.geometric_normal))
-                                              : ""));
-  write_shading(answer, s, page, indent + 2);
+  page.line(indent, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
+                                is_smooth ? fmt::format(", from the corners' normals (the face's own is {})",
+                                                        vector_text(s.surface.geometric_normal))
+                                          : ""));
+}
+
+void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const MaterialValues& m = s.material;
+  page.line(indent, fmt::format("shading with {}", material_text(s)));
+  page.line(indent + 2, fmt::format("ambient = a·c·{}·{} = {}", color_text(m.ambient),
+                                    color_text(answer.compiled.ambient()), color_text(s.ambient)));
+  if (m.emission != black)
+    page.line(indent + 2, fmt::format("emission = a·c·{} = {}", color_text(m.emission), color_text(s.emission)));
+  for (const LightNode& light : s.lights) write_light(answer, s, light, page, indent + 2);
+  if (s.lights.empty()) page.line(indent + 2, "there is no light");
+  page.line(indent + 2, fmt::format("together {}{}", color_text(s.shading()),
+                                    s.passed == white ? ""
+                                                      : fmt::format(", of which the surfaces before it transmit {}",
+                                                                    color_text(s.passed * s.shading()))));
 }
 
 void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {

@@ -7,8 +7,13 @@
 /// One surface of a tree of rays as text.
 namespace rt::tools::explain {
 
-/// What was met, how the ray meets it, and the terms of its shading.
-void write_surface(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
+/// What was met, and where.
+void write_meeting(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
+/// How the ray meets the shape, and, where that is part of one, the combination.
+void write_derivation(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
+void write_normal(const SurfaceNode& surface, Page& page, int indent);
+/// The terms of its shading.
+void write_shading(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
 /// The angles and weights of its branches, without the branches.
 void write_mirror(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
 void write_passage(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);

@@ -19,13 +19,19 @@ struct WhyArguments : QuestionArguments {
 Action declare_why(CLI::App& app) {
   auto arguments = std::make_shared<WhyArguments>();
   arguments->question = add_question_arguments(app);
-  app.add_option("--depth", arguments->options.depth, "expands rays down to this depth; deeper ones are summarised")
+  explain::Detail& detail = arguments->options.detail;
+  app.add_flag("--all", detail.all, "the whole tree of rays, not only the path that carries most of the light");
+  app.add_option("--depth", detail.depth, "the tree down to this depth; deeper rays are summed up")
       ->type_name("N")
       ->check(whole_number(0, std::numeric_limits<int>::max()));
+  app.add_option("--least", detail.least,
+                 "the tree's rays with at least this weight, 0 to 1; weaker ones are summed up")
+      ->type_name("WEIGHT")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_flag("--json", arguments->options.as_json, "prints JSON");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("The numbers are the renderer's own; each hit is shown with its derivation. Colours are linear.");
+  app.footer("The numbers are the renderer's own; with --all each hit has its derivation. Colours are linear.");
   return [arguments] {
     return answer_question(*arguments, [&](live::Document& document, const explain::Question& question) {
       return document.why(question, arguments->options);

@@ -81,7 +81,7 @@ void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_v
       CHECK(is_end);
     }
   });
-  const std::string text = explain::why_text(answer, 2);
+  const std::string text = explain::why_text(answer, {.depth = 2});
   CHECK(text.find("as the renderer has it") != std::string::npos);
 }
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
+#include <utility>
 
 namespace rt::lang {
 namespace {
@@ -29,6 +31,7 @@ struct Place {
   std::string_view property; // whose value is being typed
   std::vector<Open> open;
   bool is_text = false; // in a string or a comment, or in a number
+  bool is_path = false; // in the string of an `include` or `use`, which begins at `begin`
 };
 
 class DocumentScanner {
@@ -62,6 +65,8 @@ private:
       return true;
     case TokenKind::string:
       place_.is_text = token.end - token.begin < 2 || text_.back() != '"';
+      place_.is_path = place_.is_text && (place_.before == "include" || place_.before == "use");
+      if (place_.is_path) place_.begin = token.begin + 1;
       return place_.is_text;
     default:
       return false;
@@ -119,36 +124,41 @@ private:
   Place place_;
 };
 
+// How near a word is to what is being typed; the nearest are offered first.
+enum class Nearness : std::uint8_t { place, thing, function };
+
 class Candidates {
 public:
   explicit Candidates(const Session& session) : session_(session), nouns_(session.program().types) {}
 
-  void add(std::string_view word) { words_.emplace_back(word); }
-  void add_all(const std::vector<std::string>& words) { words_.insert(words_.end(), words.begin(), words.end()); }
+  void add(std::string_view word, Nearness nearness) { words_.emplace_back(nearness, word); }
+  void add_all(const std::vector<std::string>& words, Nearness nearness) {
+    for (const std::string& word : words) add(word, nearness);
+  }
   void add_nouns() {
-    for (const NodeType& type : nouns_.all()) add(type.name);
+    for (const NodeType& type : nouns_.all()) add(type.name, Nearness::thing);
   }
   void add_scene_properties() {
-    for (const Property& property : nouns_.scene().properties) add(property.name);
+    for (const Property& property : nouns_.scene().properties) add(property.name, Nearness::place);
   }
   void add_values() {
-    add_all(session_.names());
-    for (const Builtin* builtin : all_builtins()) add(builtin->name);
-    for (const Constant& constant : constants()) add(constant.name);
+    add_all(session_.names(), Nearness::thing);
     for (const Program::LibraryName& name : session_.program().library_names)
-      add(session_.program().symbols.name(name.name));
+      add(session_.program().symbols.name(name.name), Nearness::thing);
+    for (const Builtin* builtin : all_builtins()) add(builtin->name, Nearness::function);
+    for (const Constant& constant : constants()) add(constant.name, Nearness::function);
   }
   void add_types(Category category) {
     for (const NodeType& type : nouns_.all())
-      if (type.category == category) add(type.name);
+      if (type.category == category) add(type.name, Nearness::place);
   }
-  void add_colors() {
-    for (const CssColor& color : css_colors()) add(color.name);
+  void add_colors(Nearness nearness) {
+    for (const CssColor& color : css_colors()) add(color.name, nearness);
   }
 
   void add_place(const Place& place) {
     if (place.before == ".") {
-      for (const ChainMethod& method : chain_methods()) add(method.name);
+      for (const ChainMethod& method : chain_methods()) add(method.name, Nearness::place);
     } else if (place.open.empty() || (place.open.back().bracket == '{' && begins_item(place))) {
       add_item(place);
     } else {
@@ -157,10 +167,13 @@ public:
   }
 
   SessionCompletion beginning_with(std::string_view start, std::size_t begin) {
-    std::erase_if(words_, [&](const std::string& word) { return !word.starts_with(start); });
+    std::erase_if(words_, [&](const auto& word) { return !word.second.starts_with(start); });
     std::sort(words_.begin(), words_.end());
-    words_.erase(std::unique(words_.begin(), words_.end()), words_.end());
-    return {begin, std::move(words_)};
+    SessionCompletion found{begin, {}};
+    std::unordered_set<std::string_view> taken;
+    for (const auto& [nearness, word] : words_)
+      if (taken.insert(word).second) found.words.emplace_back(word);
+    return found;
   }
 
 private:
@@ -171,13 +184,13 @@ private:
     if (!begins_item(place)) return add_expression(place);
     const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
     if (!owner.empty())
-      add_all(session_.properties_of(owner));
+      add_all(session_.properties_of(owner), Nearness::place);
     else if (place.open.empty())
       add_scene_properties();
     const NodeType* type = nouns_.find(owner);
     const bool holds_things = owner.empty() || !type || type->is_composite() || place.open.back().holds_statements;
     if (!holds_things) return;
-    for (const std::string_view word : statement_words) add(word);
+    for (const std::string_view word : statement_words) add(word, Nearness::thing);
     add_nouns();
     add_values();
   }
@@ -196,27 +209,27 @@ private:
     const Property* property = find_property(place);
     if (!property) {
       add_nouns();
-      add_colors();
-      for (const std::string_view word : expression_words) add(word);
+      add_colors(Nearness::thing);
+      for (const std::string_view word : expression_words) add(word, Nearness::function);
       return;
     }
-    add("if");
+    add("if", Nearness::function);
     if (property->is_textured()) add_types(Category::pattern);
     switch (property->type) {
     case PropertyType::boolean:
-      add("true");
-      add("false");
+      add("true", Nearness::place);
+      add("false", Nearness::place);
       break;
     case PropertyType::choice:
-      for (const std::string_view choice : property->choices) add(choice);
+      for (const std::string_view choice : property->choices) add(choice, Nearness::place);
       break;
     case PropertyType::material:
       add_types(Category::material);
       add_types(Category::pattern);
-      add_colors();
+      add_colors(Nearness::place);
       break;
     case PropertyType::color:
-      add_colors();
+      add_colors(Nearness::place);
       break;
     default:
       break;
@@ -225,7 +238,7 @@ private:
 
   const Session& session_;
   const NodeTypes& nouns_;
-  std::vector<std::string> words_;
+  std::vector<std::pair<Nearness, std::string>> words_;
 };
 
 } // namespace
@@ -233,6 +246,7 @@ private:
 SessionCompletion complete(const Session& session, std::string_view text, std::size_t cursor) {
   const std::string_view before = text.substr(0, cursor);
   const Place place = DocumentScanner(before).run();
+  if (place.is_path) return {place.begin, {}, true};
   if (place.is_text) return {cursor, {}};
   Candidates candidates(session);
   candidates.add_place(place);

@@ -9,10 +9,13 @@
 
 namespace rt::lang {
 
-/// The words that may stand in the place of the one before the cursor, sorted, and where that one begins.
+/// The words that may stand in the place of the one before the cursor, and where that one begins. What belongs to the
+/// place comes first (properties of the block, values of the property), then things and names, then functions; each by
+/// the alphabet.
 struct SessionCompletion {
   std::size_t begin = 0;
   std::vector<std::string> words;
+  bool is_path = false; ///< the path of a scene file is being typed, from `begin` on: no words
 };
 
 /// What may stand at the cursor of a text that is being typed: properties of the thing whose block it is in, values

@@ -41,6 +41,9 @@ struct ListedObject {
   std::string kind; ///< "sphere", "table"
   std::string place;
   std::uint64_t count = 1; ///< how many such things the same statement placed in a row
+  /// The numbers that `set` and `remove` take for a name where there is none: one, but for things that were written so
+  /// much alike that they are kept together. 0: it has a name.
+  std::uint64_t first_number = 0, last_number = 0;
 };
 
 /// Objects of the scene that follow one another, with a number that stands for what they are.
@@ -77,9 +80,10 @@ public:
   SessionResult submit(std::string_view text);
   /// The document becomes that of a file. Throws what `load_file` throws.
   SessionResult load(const std::string& path);
-  /// Writes a property into the statement that binds or places the thing with this name: `target` is "NAME.property".
+  /// Writes a property into the statement that binds or places the thing with this name: `target` is "NAME.property",
+  /// or "NUMBER.property" with a number of `objects()`.
   SessionResult set(std::string_view target, std::string_view value);
-  /// Takes a binding, a definition or a placed thing out, unless others use it.
+  /// Takes a binding, a definition or a placed thing out, by name or number, unless others use it.
   SessionResult remove(std::string_view name);
   SessionResult reset();
 
@@ -116,9 +120,12 @@ public:
 
   /// The names that the document binds or defines, sorted.
   std::vector<std::string> names() const;
-  /// The properties that a thing of this name takes: a noun's, a def's parameters, those of what the name is bound to.
+  /// What the thing with this number is a copy of: "sphere", "table"; empty where none has it, or it is no plain copy.
+  std::string model_of(std::string_view number) const;
+  /// The properties that a thing of this name (or number) takes: a noun's, a def's parameters, those of what the name
+  /// is bound to.
   std::vector<std::string> properties_of(std::string_view name) const;
-  /// The noun of that name, or of the thing that the name is bound to; null where there is none.
+  /// The noun of that name or number, or of the thing that the name is bound to; null where there is none.
   const NodeType* noun_of(std::string_view name) const;
   /// All that was read and resolved.
   const Program& program() const;

@@ -186,8 +186,14 @@ void SessionChange::place(Draft draft) {
       if ((entries_[i].traits() & trait_sets_property) != 0 && entries_[i].get().key == draft->key) old = i;
   }
   if (!old) return append(std::move(draft));
-  replaced_.emplace_back(core_.program.symbols.name(draft->key));
   replace(*old, std::move(draft));
+}
+
+void SessionChange::place_and_tell(Draft draft) {
+  const std::size_t size = entries_.size();
+  const Draft placed = draft;
+  place(std::move(draft));
+  told_.push_back({placed->id, entries_.size() == size});
 }
 
 // Sorted.
@@ -250,6 +256,18 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
   entries_ = std::move(before);
 }
 
+void SessionChange::split(std::size_t at) {
+  const StatementRef old = entries_[at].fresh ? entries_[at].fresh : *entries_[at].done;
+  if (old->nodes.size() == 1 && old->kind != Kind::repeat) return;
+  std::vector<Entry> parts;
+  for (const Draft& draft : parse(old->text, old->origin, true)) {
+    draft->may_print = old->may_print;
+    parts.push_back({.fresh = draft});
+  }
+  const auto place = entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
+  entries_.insert(place, parts.begin(), parts.end());
+}
+
 void SessionChange::erase(std::size_t at) {
   mark_changed(entries_[at].get(), at);
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -282,7 +300,6 @@ void SessionChange::renew_dependents() {
   for (std::size_t i = 0; i < entries_.size(); ++i)
     if (entries_[i].fresh) mark_changed(*entries_[i].fresh, i);
   if (changed_.empty()) return;
-  std::vector<std::string> renewed;
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -293,19 +310,10 @@ void SessionChange::renew_dependents() {
       entry.fresh = redraft(done);
       if (!entry.fresh) return; // cannot be: it was read before
       mark_changed(done, i);
-      renewed.push_back(shortened(done.text));
+      renewed_.push_back(shortened(done.text));
       goes_on = true;
     }
   }
-  report_dependents(renewed);
-}
-
-void SessionChange::report_dependents(const std::vector<std::string>& renewed) {
-  for (const std::string& name : replaced_) changes.push_back(fmt::format("{} replaced", name));
-  constexpr std::size_t most = 4;
-  for (std::size_t i = 0; i < std::min(renewed.size(), most); ++i)
-    changes.push_back(fmt::format("rebuilt: {}", renewed[i]));
-  if (renewed.size() > most) changes.push_back(fmt::format("and {} more", renewed.size() - most));
 }
 
 } // namespace rt::lang

@@ -45,7 +45,11 @@ public:
   void append(Draft draft);
   /// Appends it, or replaces what declares the same name or sets the same property.
   void place(Draft draft);
+  /// The same, and what came of it will be among the changes.
+  void place_and_tell(Draft draft);
   void replace(std::size_t at, Draft draft);
+  /// A statement that stands for many items becomes one for each; the others are left alone.
+  void split(std::size_t at);
   void erase(std::size_t at);
   void clear();
 
@@ -92,7 +96,8 @@ private:
   void mark_changed(const Statement& statement, std::size_t position);
   bool is_affected(const Statement& statement, std::size_t position) const;
   void renew_dependents();
-  void report_dependents(const std::vector<std::string>& renewed);
+  void report_outcomes();
+  void report_dependents();
   bool check();
   struct Mentioned {
     std::vector<bool> symbols;
@@ -110,7 +115,13 @@ private:
   std::vector<Entry> entries_;
   std::unordered_map<std::uint32_t, ChangedName> changed_; // by symbol
   std::uint64_t changed_bits_ = 0;                         // its keys, as a set that may seem to hold more
-  std::vector<std::string> replaced_;                      // names, for the messages
+  // For the messages:
+  struct Told {
+    std::uint64_t id; // of the statement
+    bool replaces;    // another one
+  };
+  std::vector<Told> told_;
+  std::vector<std::string> renewed_; // statements
 };
 
 } // namespace rt::lang

@@ -2,6 +2,7 @@
 #include "lang/evaluate/deep_stack.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/session/session_change.hpp"
+#include "lang/session/session_outcome.hpp"
 #include "lang/session/session_text.hpp"
 #include "lang/text/sort_unique.hpp"
 
@@ -11,26 +12,33 @@
 
 // The end of a change: what is fresh is checked and evaluated, and a new document put together.
 namespace rt::lang {
-namespace {
-
-// A vector without the digits that only rounding left in it.
-std::string readable(const Value& value) {
-  const Vec3& v = value.vector();
-  if (value.vector_size() == 2) return fmt::format("[{:.10g}, {:.10g}]", v.x, v.y);
-  return fmt::format("[{:.10g}, {:.10g}, {:.10g}]", v.x, v.y, v.z);
-}
-
-} // namespace
-
 std::optional<Document> SessionChange::finish() {
   if (core_.report.has_errors()) return std::nullopt;
   renew_dependents();
   if (core_.report.has_errors() || !check() || !evaluate()) return std::nullopt;
   take_out_printed();
+  report_outcomes();
   settle_cameras();
+  report_dependents();
   check_scene_properties();
   if (core_.report.has_errors()) return std::nullopt;
   return assemble();
+}
+
+void SessionChange::report_outcomes() {
+  for (const Told& told : told_) {
+    const auto at = find_id(told.id);
+    if (!at) continue; // it was printed
+    const std::string outcome = outcome_of(entries_[*at].get(), told.replaces, core_.evaluator, core_.program);
+    if (!outcome.empty()) changes.push_back(outcome);
+  }
+}
+
+void SessionChange::report_dependents() {
+  constexpr std::size_t most = 4;
+  for (std::size_t i = 0; i < std::min(renewed_.size(), most); ++i)
+    changes.push_back(fmt::format("rebuilt: {}", renewed_[i]));
+  if (renewed_.size() > most) changes.push_back(fmt::format("and {} more", renewed_.size() - most));
 }
 
 // Chunks in which nothing has changed are taken over as they are.
@@ -150,8 +158,7 @@ void SessionChange::take_out_printed() {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
     const Value& value = *entry.fresh->made.printed;
     if (value.is_poison() || entry.fresh->made.is_print) return true;
-    values.push_back(
-        {value.is(ValueKind::vector) ? readable(value) : format(value, core_.program.symbols), as_color(value)});
+    values.push_back({readable(value, core_.program), as_color(value)});
     if (value.is(ValueKind::number)) values.back().color.reset();
     return true;
   });

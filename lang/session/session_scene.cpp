@@ -1,12 +1,8 @@
 #include "lang/session/session_scene.hpp"
 
 #include "lang/evaluate/errors/evaluate_errors.hpp"
-#include "lang/session/session_text.hpp"
 #include "renderer/math/hashing.hpp"
 #include "renderer/scene/defaults.hpp"
-#include "renderer/scene/names.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -21,10 +17,6 @@ void for_each_with(const Document& document, int traits, F&& f) {
     for (std::size_t i = 0; i < chunk->statements.size(); ++i)
       if ((chunk->traits[i] & traits) != 0) f(*chunk->statements[i]);
   }
-}
-
-std::string point_text(const Vec3& v) {
-  return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z);
 }
 
 } // namespace
@@ -136,90 +128,6 @@ std::vector<SceneRange> SessionScene::ranges() const {
   Cutter cutter;
   cutter.cut(std::span<const Placed>(placed_), 8192);
   return std::move(cutter.found);
-}
-
-namespace {
-
-class Listing {
-public:
-  Listing(const scene::Scene& scene, const Program& program) : scene_(scene), program_(program) {}
-
-  void add(const Statement& statement) {
-    name_ = kind_ = {};
-    look_at(statement);
-    for (const scene::Object& object : statement.made.objects) add(object);
-    for (const scene::Light& light : statement.made.lights) add(light);
-    if (statement.made.camera)
-      put("", "camera",
-          fmt::format("{} to {}", point_text(statement.made.camera->at), point_text(statement.made.camera->look_at)));
-    is_first_ = true;
-  }
-
-  std::vector<ListedObject> found;
-
-private:
-  // What the statement is a copy of: the name of a binding, or of a def.
-  void look_at(const Statement& statement) {
-    if (statement.nodes.size() != 1) return;
-    const Ast& ast = statement.unit->ast;
-    const NodeId base = innermost(ast, statement.nodes.front());
-    if (ast.kind(base) != Kind::name) return;
-    const std::string_view word = program_.symbols.name(ast.symbol(base));
-    if (resolution(ast[base]) == Resolution::function)
-      kind_ = word;
-    else if (resolution(ast[base]) == Resolution::local)
-      name_ = word;
-  }
-
-  void add(const scene::Object& object) {
-    const std::string_view own =
-        object.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(object.name)];
-    const Box3 box = scene::bounds(scene_, object);
-    const bool hides = !object.is_visible;
-    put(own, kind_.empty() ? noun(scene_.shapes, object.shape) : kind_,
-        (box.is_finite() ? "around " + point_text(box.center()) : std::string("endless")) +
-            (hides ? ", not visible" : ""));
-  }
-
-  void add(const scene::Light& light) {
-    const std::string_view own =
-        light.name == scene::no_name ? name_ : scene_.names[static_cast<std::size_t>(light.name)];
-    put(own, noun(light.source), std::visit([](const auto& source) { return place_of(source); }, light.source));
-  }
-
-  template <class L>
-  static std::string place_of(const L& light) {
-    if constexpr (requires { light.at, light.look_at; })
-      return fmt::format("{} to {}", point_text(light.at), point_text(light.look_at));
-    else if constexpr (requires { light.at; })
-      return "at " + point_text(light.at);
-    else if constexpr (requires { light.direction; })
-      return "along " + point_text(light.direction);
-    else
-      return {};
-  }
-
-  void put(std::string_view name, std::string_view kind, std::string place) {
-    const bool is_alike = !is_first_ && !found.empty() && found.back().kind == kind && found.back().name == name;
-    is_first_ = false;
-    if (is_alike)
-      ++found.back().count;
-    else
-      found.push_back({std::string(name), std::string(kind), std::move(place), 1});
-  }
-
-  const scene::Scene& scene_;
-  const Program& program_;
-  std::string_view name_, kind_;
-  bool is_first_ = true; // of its statement
-};
-
-} // namespace
-
-std::vector<ListedObject> list_objects(const Document& document, const scene::Scene& scene, const Program& program) {
-  Listing listing(scene, program);
-  for (const StatementRef& statement : document) listing.add(*statement);
-  return std::move(listing.found);
 }
 
 } // namespace rt::lang

@@ -34,7 +34,4 @@ private:
   std::vector<Diagnostic> assumptions_;
 };
 
-/// The things in a document's scene, statement by statement.
-std::vector<ListedObject> list_objects(const Document& document, const scene::Scene& scene, const Program& program);
-
 } // namespace rt::lang

@@ -49,7 +49,7 @@ void Submission::take(const SessionChange::Draft& draft) {
     }
     if (core_.report.has_errors()) return;
   }
-  change_.place(draft);
+  change_.place_and_tell(draft);
   if (is_thing) last_id_ = draft->id;
 }
 

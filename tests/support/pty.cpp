@@ -55,6 +55,7 @@ void Screen::write(std::string_view bytes) {
       x_ = std::min(columns_ - 1, (x_ / 8 + 1) * 8);
       break;
     case '\a':
+    case '\0': // padding, for terminals that take their time
       break;
     case '\x1b':
       used = sequence(rest);
@@ -98,6 +99,7 @@ std::size_t Screen::sequence(std::string_view bytes) {
     if (end == std::string_view::npos && bell == std::string_view::npos) return 0;
     return bell < end ? bell + 1 : end + 2;
   }
+  if (bytes[1] == 'M') y_ = std::max(0, y_ - 1); // reverse index
   if (bytes[1] != '[') return 2;
   std::vector<int> numbers{0};
   for (std::size_t i = 2; i < bytes.size(); ++i) {

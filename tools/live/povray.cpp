@@ -36,6 +36,10 @@ PovrayExport export_povray(const Document& document, bool has_comments) {
   return result;
 }
 
+std::string waiting_text(double seconds) {
+  return fmt::format("waiting for POV-Ray, {:.0f} s", seconds);
+}
+
 std::unique_ptr<const Check> check(Document& document, const CheckOptions& options) {
   const scene::Scene& scene = document.scene();
   auto check = std::make_unique<Check>();
@@ -54,9 +58,11 @@ std::unique_ptr<const Check> check(Document& document, const CheckOptions& optio
   RenderOptions ours;
   ours.layers = true;
   ours.stop = options.stop;
+  ours.on_progress = options.on_progress;
   check->film = document.render(ours).film;
   report.render_seconds = seconds_since(start);
-  theirs.wait();
+  while (theirs.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready)
+    if (options.on_wait) options.on_wait(seconds_since(start));
   if (options.stop && *options.stop) return nullptr;
   check->shots = theirs.get();
   report.film = &check->film;

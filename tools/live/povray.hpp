@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,7 +22,13 @@ struct CheckOptions {
   povray::Gates gates;
   std::chrono::milliseconds time_limit = std::chrono::minutes(10); ///< of each run of POV-Ray
   const std::atomic<bool>* stop = nullptr;
+  std::function<void(const Progress&)> on_progress; ///< of the own picture, some times a second
+  /// While POV-Ray's is waited for, some times a second: the seconds since it began.
+  std::function<void(double)> on_wait;
 };
+
+/// What to say meanwhile: "waiting for POV-Ray, 12 s".
+std::string waiting_text(double seconds);
 
 /// A picture compared with POV-Ray's; the report refers to the rest.
 struct Check {

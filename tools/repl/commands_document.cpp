@@ -1,9 +1,13 @@
+#include "lang/check/program.hpp"
+#include "lang/ide/reference.hpp"
+#include "lang/values/node_types.hpp"
 #include "renderer/image/file.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/shell.hpp"
 #include "tools/terminal/swatch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -25,22 +29,29 @@ std::optional<std::size_t> version_number_of(Shell& shell, std::string_view text
   return std::nullopt;
 }
 
+// Its name, or the numbers that stand for it.
+std::string label_of(const lang::ListedObject& object) {
+  if (!object.name.empty()) return object.name;
+  if (object.last_number > object.first_number) return fmt::format("{}-{}", object.first_number, object.last_number);
+  return std::to_string(object.first_number);
+}
+
 bool list(Shell& shell, std::string_view) {
   const std::vector<lang::ListedObject> objects = shell.session().objects();
   if (objects.empty()) {
     shell.print("the scene is empty\n");
     return true;
   }
-  std::size_t name_width = 4, kind_width = 4;
+  std::size_t label_width = 4, kind_width = 4;
   for (const lang::ListedObject& object : objects) {
-    name_width = std::max(name_width, object.name.size());
+    label_width = std::max(label_width, label_of(object).size());
     kind_width = std::max(kind_width, object.kind.size());
   }
   std::string text;
   for (const lang::ListedObject& object : objects) {
     const std::string times = object.count > 1 ? fmt::format("  (and {} more)", object.count - 1) : "";
-    text += fmt::format("{:<{}}  {:<{}}  {}{}\n", object.name.empty() ? "-" : object.name, name_width, object.kind,
-                        kind_width, object.place, times);
+    text += fmt::format("{:<{}}  {:<{}}  {}{}\n", label_of(object), label_width, object.kind, kind_width, object.place,
+                        times);
   }
   shell.print(text);
   return true;
@@ -65,14 +76,46 @@ bool text(Shell& shell, std::string_view) {
   return true;
 }
 
+// The properties of a thing that can be set, or what is wrong with its name.
+bool explain_properties(Shell& shell, std::string_view name) {
+  const std::vector<std::string> properties = shell.session().properties_of(name);
+  if (properties.empty())
+    return shell.fail(fmt::format("`{}` is no thing of the scene; as in `:set ball.radius 2`", name));
+  shell.print(fmt::format("{} takes {}: as in `:set {}.{} VALUE`\n", name, fmt::join(properties, ", "), name,
+                          properties.front()));
+  return true;
+}
+
+// What stands in the place of a value that was not given: what the property takes.
+bool explain_target(Shell& shell, std::string_view target) {
+  const lang::NodeType& scene = shell.session().program().types.scene();
+  const std::size_t dot = target.find('.');
+  const bool is_of_scene = dot == std::string_view::npos;
+  if (is_of_scene && !scene.find(target)) return explain_properties(shell, target);
+  const std::string_view name = is_of_scene ? "" : target.substr(0, dot);
+  const std::string_view property = is_of_scene ? target : target.substr(dot + 1);
+  const lang::NodeType* type = is_of_scene ? &scene : shell.session().noun_of(name);
+  if (const auto id = type ? type->find(property) : std::nullopt) {
+    const std::string owner = is_of_scene ? "" : fmt::format("{}.", name);
+    shell.print(fmt::format("{}{}\n", owner, lang::describe_property(type->properties[*id])));
+    return true;
+  }
+  const std::vector<std::string> properties = shell.session().properties_of(name);
+  if (std::find(properties.begin(), properties.end(), property) == properties.end())
+    return explain_properties(shell, name);
+  shell.print(fmt::format("{}: a parameter of its def\n", target));
+  return true;
+}
+
 bool set(Shell& shell, std::string_view arguments) {
+  if (arguments.empty()) return shell.fail("as in `:set ball.radius 2`");
   const std::size_t space = arguments.find_first_of(" \t\n");
-  if (space == std::string_view::npos) return shell.fail("as in `:set ball.radius 2`");
+  if (space == std::string_view::npos) return explain_target(shell, arguments);
   return shell.report(shell.session().set(arguments.substr(0, space), trimmed(arguments.substr(space))));
 }
 
 bool remove(Shell& shell, std::string_view arguments) {
-  if (arguments.empty()) return shell.fail("as in `:remove ball`");
+  if (arguments.empty()) return shell.fail("as in `:remove ball`, or `:remove 2` for what :list numbers");
   return shell.report(shell.session().remove(arguments));
 }
 
@@ -83,15 +126,22 @@ std::string where(const Shell& shell, lang::Session& session) {
          "\n";
 }
 
+// What a version did.
+std::string deed(Shell& shell, std::size_t version) {
+  return shell.session().versions()[version].description;
+}
+
 bool undo(Shell& shell, std::string_view) {
+  const std::size_t undone = shell.session().version();
   if (!shell.session().undo()) return shell.fail("there is nothing to undo");
-  shell.print(where(shell, shell.session()));
+  shell.print(dim(fmt::format("took back: {}", deed(shell, undone)), shell.output().uses_color) + "\n");
   return true;
 }
 
 bool redo(Shell& shell, std::string_view) {
   if (!shell.session().redo()) return shell.fail("there is nothing to redo");
-  shell.print(where(shell, shell.session()));
+  shell.print(dim(fmt::format("did again: {}", deed(shell, shell.session().version())), shell.output().uses_color) +
+              "\n");
   return true;
 }
 
@@ -173,9 +223,9 @@ bool reset(Shell& shell, std::string_view) {
 
 std::span<const ShellCommand> document_commands() {
   static constexpr ShellCommand table[] = {
-      {"list", "", "lists the things in the scene: name, kind, place", ArgumentKind::none, list},
+      {"list", "", "lists the things in the scene: name or number, kind, place", ArgumentKind::none, list},
       {"text", "", "shows the document as :save would write it", ArgumentKind::none, text},
-      {"set", "NAME.PROP VALUE", "changes a property of a named thing", ArgumentKind::property, set},
+      {"set", "NAME.PROP VALUE", "changes a property; without VALUE, says what it takes", ArgumentKind::property, set},
       {"remove", "NAME", "removes a thing or a name that nothing else uses", ArgumentKind::thing, remove},
       {"undo", "", "undoes the last change", ArgumentKind::none, undo},
       {"redo", "", "redoes what was undone", ArgumentKind::none, redo},

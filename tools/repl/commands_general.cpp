@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace rt::tools {
 namespace {
 
@@ -28,8 +30,11 @@ bool help(Shell& shell, std::string_view arguments) {
   return true;
 }
 
-bool recover(Shell& shell, std::string_view) {
-  return shell.recover();
+bool recover(Shell& shell, std::string_view arguments) {
+  if (arguments.empty()) return shell.recover(1);
+  std::size_t number = 0;
+  std::from_chars(arguments.data(), arguments.data() + arguments.size(), number);
+  return shell.recover(number);
 }
 
 bool quit(Shell& shell, std::string_view) {
@@ -41,7 +46,7 @@ bool quit(Shell& shell, std::string_view) {
 
 std::span<const ShellCommand> general_commands() {
   static constexpr ShellCommand table[] = {
-      {"recover", "", "restores the last unsaved session", ArgumentKind::none, recover},
+      {"recover", "[N]", "restores an unsaved session, without N the last", ArgumentKind::none, recover},
       {"help", "[COMMAND]", "lists the commands", ArgumentKind::command, help},
       {"quit", "", "ends the session", ArgumentKind::none, quit},
   };

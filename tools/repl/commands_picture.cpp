@@ -5,7 +5,7 @@
 #include "tools/repl/commands.hpp"
 #include "tools/repl/options.hpp"
 #include "tools/repl/shell.hpp"
-#include "tools/terminal/quantity.hpp"
+#include "tools/terminal/progress_bar.hpp"
 #include "tools/terminal/swatch.hpp"
 #include "tools/terminal/terminal.hpp"
 #include "tools/terminal/version.hpp"
@@ -51,25 +51,6 @@ RenderCommand parse_render(std::string_view arguments) {
   return command;
 }
 
-// A line that is overwritten while the picture is made; it goes when it is done.
-class ProgressLine {
-public:
-  explicit ProgressLine(const Shell& shell) : shell_(shell), is_shown_(shell.options().is_interactive) {}
-  ~ProgressLine() {
-    if (was_shown_) shell_.print("\r\x1b[K");
-  }
-  void show(const Progress& progress) {
-    if (!is_shown_ || progress.seconds < 0.5) return;
-    was_shown_ = true;
-    shell_.print(fmt::format("\r\x1b[K{:3.0f} %  {} rays/s", progress.fraction * 100,
-                             human(static_cast<double>(progress.rays) / progress.seconds)));
-  }
-
-private:
-  const Shell& shell_;
-  bool is_shown_, was_shown_ = false;
-};
-
 void write(const std::string& path, const Film& film, ImageFormat format, const scene::Scene& scene) {
   const bool is_exr = format == ImageFormat::exr;
   const EncodeOptions options{8,
@@ -96,11 +77,11 @@ bool render(Shell& shell, std::string_view arguments) {
     if (!document.has_scene()) return shell.fail("stopped; nothing was written");
     const auto start = std::chrono::steady_clock::now();
     {
-      ProgressLine line(shell);
+      ProgressBar bar;
       RenderOptions options;
       options.layers = *format == ImageFormat::exr;
       options.stop = &interrupt.stop();
-      options.on_progress = [&line](const Progress& p) { line.show(p); };
+      if (shell.options().moves_cursor) options.on_progress = [&bar](const Progress& p) { bar.show(p); };
       rendered = document.render(options);
     }
     const double seconds = seconds_since(start);
@@ -119,7 +100,7 @@ bool render(Shell& shell, std::string_view arguments) {
 
 bool set_auto(Shell& shell, std::string_view arguments) {
   if (arguments != "on" && arguments != "off" && !arguments.empty()) return shell.fail("`:auto on` or `:auto off`");
-  if (!shell.options().is_interactive) return shell.fail(":auto needs a terminal");
+  if (!shell.options().moves_cursor) return shell.fail(":auto needs a terminal that can move its cursor");
   if (!arguments.empty()) shell.set_previews(arguments == "on");
   shell.print(shell.shows_previews() ? "previews are on\n" : "previews are off\n");
   return true;

@@ -7,6 +7,7 @@
 #include "tools/repl/commands.hpp"
 #include "tools/repl/options.hpp"
 #include "tools/repl/shell.hpp"
+#include "tools/terminal/progress_bar.hpp"
 #include "tools/terminal/swatch.hpp"
 #include "tools/terminal/terminal.hpp"
 #include "tools/terminal/wrap.hpp"
@@ -142,6 +143,18 @@ bool lint(Shell& shell, std::string_view arguments) {
   });
 }
 
+std::unique_ptr<const live::Check> check_with_progress(const Shell& shell, live::Document& document,
+                                                       const std::atomic<bool>& stop) {
+  ProgressBar bar;
+  live::CheckOptions options;
+  options.stop = &stop;
+  if (shell.options().moves_cursor) {
+    options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+    options.on_wait = [&bar](double seconds) { bar.show(live::waiting_text(seconds), seconds); };
+  }
+  return live::check(document, options);
+}
+
 bool check(Shell& shell, std::string_view arguments) {
   live::PictureSettings settings;
   std::string page;
@@ -149,9 +162,7 @@ bool check(Shell& shell, std::string_view arguments) {
   if (!read_options(shell, arguments, {{"report", &page}, {"json", &as_json}}, settings)) return false;
   return answer(shell, settings, [&](live::Document& document, const std::atomic<bool>& stop) {
     if (!page.empty()) require_writable(page);
-    live::CheckOptions options;
-    options.stop = &stop;
-    const auto check = live::check(document, options);
+    const auto check = check_with_progress(shell, document, stop);
     if (!check) return Reply{};
     if (!page.empty()) replace_file(page, povray::report_html(check->report));
     return Reply{as_json ? povray::report_json(check->report) : povray::report_text(check->report),

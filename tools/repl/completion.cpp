@@ -23,7 +23,11 @@ Completion beginning_with(std::string_view start, std::size_t begin, std::vector
 
 Completion statement(Shell& shell, std::string_view text, std::size_t cursor) {
   lang::SessionCompletion found = lang::complete(shell.session(), text, cursor);
-  return {found.begin, std::move(found.words)};
+  if (!found.is_path) return {found.begin, std::move(found.words)};
+  std::vector<std::string> paths =
+      complete_path(text.substr(found.begin, cursor - found.begin), shell.session().folder());
+  std::erase_if(paths, [](const std::string& path) { return !path.ends_with('/') && !path.ends_with(".rtl"); });
+  return {found.begin, std::move(paths)};
 }
 
 // NAME.property, where the second part is among the properties of the first.
@@ -42,7 +46,7 @@ Completion argument(Shell& shell, const ShellCommand& command, std::string_view 
   case ArgumentKind::none:
     return {};
   case ArgumentKind::file:
-    return {begin, complete_path(start)};
+    return {begin, complete_path(start, ".")};
   case ArgumentKind::thing:
     return beginning_with(start, begin, shell.session().names());
   case ArgumentKind::word:
@@ -66,11 +70,11 @@ Completion argument(Shell& shell, const ShellCommand& command, std::string_view 
 
 } // namespace
 
-std::vector<std::string> complete_path(std::string_view start) {
+std::vector<std::string> complete_path(std::string_view start, const std::string& base) {
   const std::size_t slash = start.rfind('/');
   const std::string folder(slash == std::string_view::npos ? "" : start.substr(0, slash + 1));
-  std::string place = folder.empty() ? "." : folder;
-  if (const char* home = std::getenv("HOME"); home && place.starts_with("~/")) place.replace(0, 1, home);
+  fs::path place = fs::path(base) / folder;
+  if (const char* home = std::getenv("HOME"); home && folder.starts_with("~/")) place = home + folder.substr(1);
   const std::string_view name = start.substr(folder.size());
   std::vector<std::string> found;
   std::error_code error;

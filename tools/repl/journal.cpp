@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
 
 namespace rt::tools {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 // newline. An entry that is not whole (the program was killed while it wrote) does not count.
 constexpr std::string_view header = "rtlang journal 1\n";
 constexpr std::string_view extension = ".journal";
-constexpr std::size_t most_abandoned = 5;
+constexpr std::size_t most_abandoned = 9;
 
 class Descriptor {
 public:
@@ -122,8 +123,8 @@ void Journal::clear(std::string base) {
   fd_ = -1;
 }
 
-std::optional<AbandonedSession> find_abandoned_session(const std::string& folder) {
-  if (folder.empty()) return std::nullopt;
+std::vector<AbandonedSession> find_abandoned_sessions(const std::string& folder) {
+  if (folder.empty()) return {};
   std::vector<AbandonedSession> found;
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
@@ -143,8 +144,8 @@ std::optional<AbandonedSession> find_abandoned_session(const std::string& folder
     return a.time != b.time ? a.time > b.time : a.path > b.path;
   });
   for (std::size_t i = most_abandoned; i < found.size(); ++i) ::unlink(found[i].path.c_str());
-  if (found.empty()) return std::nullopt;
-  return std::move(found.front());
+  found.resize(std::min(found.size(), most_abandoned));
+  return found;
 }
 
 } // namespace rt::tools

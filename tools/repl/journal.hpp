@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ctime>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +43,7 @@ struct AbandonedSession {
   std::vector<std::string> entries;
 };
 
-/// The latest one in the folder; all but the five latest are deleted.
-std::optional<AbandonedSession> find_abandoned_session(const std::string& folder);
+/// Those in the folder, the latest first; all but the nine latest are deleted.
+std::vector<AbandonedSession> find_abandoned_sessions(const std::string& folder);
 
 } // namespace rt::tools

@@ -2,10 +2,12 @@
 
 #include "lang/text/utf8.hpp"
 #include "tools/repl/key_reader.hpp"
+#include "tools/repl/line_layout.hpp"
 #include "tools/terminal/terminal.hpp"
 
 #include <editline/readline.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,6 +31,8 @@ enum PrivateKey : int {
   key_quote = 0x16, // the next key is inserted as it is, also a newline
   key_up = 0x1c,
   key_down = 0x1d,
+  key_newline = 0x1e,
+  key_redraw = 0x1f,
   key_clear_screen = 0x0c,
   key_accept = 0x81, // beyond ASCII, but below what libedit inserts as text
   key_previous_entry = 0x82,
@@ -67,62 +71,29 @@ std::string common_start(const std::vector<std::string>& words) {
   return start;
 }
 
-// libedit takes \1 around what has no width.
-std::string mark_invisible(std::string_view prompt) {
+// The prompt as libedit takes it, with \1 around what has no width, and its width.
+struct Prompt {
   std::string marked;
+  int width = 0;
+};
+Prompt mark_invisible(std::string_view prompt) {
+  Prompt result;
   for (std::size_t i = 0; i < prompt.size(); ++i) {
     if (prompt[i] != '\x1b') {
-      marked += prompt[i];
+      result.marked += prompt[i];
+      ++result.width;
       continue;
     }
     const std::size_t end = std::min(prompt.find('m', i), prompt.size() - 1);
-    marked += '\1';
-    marked += prompt.substr(i, end - i + 1);
-    marked += '\1';
+    result.marked += '\1';
+    result.marked += prompt.substr(i, end - i + 1);
+    result.marked += '\1';
     i = end;
   }
-  return marked;
+  return result;
 }
 
 } // namespace
-
-std::string indentation_after(std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"' || c == '\n')
-        in_string = false;
-    } else if (c == '"')
-      in_string = true;
-    else if (c == '/' && text.substr(i, 2) == "//")
-      i = std::min(text.find('\n', i), text.size());
-    else if (c == '{' || c == '[' || c == '(')
-      ++depth;
-    else if (c == '}' || c == ']' || c == ')')
-      depth = std::max(0, depth - 1);
-  }
-  return std::string(static_cast<std::size_t>(depth) * 2, ' ');
-}
-
-std::string in_columns(const std::vector<std::string>& words, std::size_t width) {
-  std::size_t longest = 0;
-  for (const std::string& word : words) longest = std::max(longest, word.size());
-  const std::size_t columns = std::max<std::size_t>(1, width / (longest + 2));
-  const std::size_t rows = (words.size() + columns - 1) / columns;
-  std::string out;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t i = row; i < words.size(); i += rows) {
-      out += words[i];
-      if (i + rows < words.size()) out += std::string(longest + 2 - words[i].size(), ' ');
-    }
-    out += '\n';
-  }
-  return out;
-}
 
 // Feeds libedit: what is typed, and in the place of Enter, Tab and the arrows whatever keys have the wanted effect.
 // libedit's callbacks carry no context, hence the one pointer.
@@ -139,7 +110,8 @@ public:
   }
   ~Keys() { current = nullptr; }
 
-  void begin() {
+  void begin(int prompt_width) {
+    prompt_width_ = prompt_width;
     queue_.clear();
     paste_.reset();
     end_ = End::end_of_input; // unless something else ends it
@@ -160,6 +132,10 @@ private:
         "rtlang-up", [](int, int) { return current->up(); }, key_up);
     rl_add_defun(
         "rtlang-down", [](int, int) { return current->down(); }, key_down);
+    rl_add_defun(
+        "rtlang-newline", [](int, int) { return rl_insert_text("\n") - 1; }, key_newline);
+    rl_add_defun(
+        "rtlang-redraw", [](int, int) { return current->redraw(); }, key_redraw);
     for (const int bracket : {'}', ']', ')'})
       rl_add_defun(
           "rtlang-close", [](int, int key) { return current->close(key); }, bracket);
@@ -192,10 +168,22 @@ private:
   void type_text(std::string_view text) {
     while (!text.empty()) {
       const lang::Character c = lang::decode(text);
+      text.remove_prefix(c.bytes);
+      if (c.code_point == '\n') {
+        begin_row();
+        continue;
+      }
       if (c.code_point < 0x20) type(key_quote);
       type(static_cast<int>(c.code_point));
-      text.remove_prefix(c.bytes);
     }
+  }
+  // A newline that is typed at the line's end libedit writes out like a letter, and from then on takes the cursor to be
+  // one row above where it is: the next time it draws the line, the row above stands there twice. So the newline is
+  // inserted in silence, and a blank that comes and goes makes libedit draw both rows.
+  void begin_row() {
+    type(key_newline);
+    type(' ');
+    type(key_backspace);
   }
 
   int next() {
@@ -242,7 +230,7 @@ private:
       break;
     case Key::Kind::resize:
       rl_resize_terminal();
-      redraw("");
+      type(key_redraw);
       break;
     case Key::Kind::wake:
       wake();
@@ -274,15 +262,17 @@ private:
 
   void wake() {
     if (!hooks_.on_wake) return;
-    const std::string shown = hooks_.on_wake();
-    if (shown.empty()) return;
-    redraw(shown);
+    above_ = hooks_.on_wake();
+    if (!above_.empty()) type(key_redraw);
   }
 
-  // The prompt and the line again, after what is written above them.
-  static void redraw(std::string_view above) {
-    write_all("\r\x1b[J" + std::string(above));
+  // The prompt and the line again, after what is to stand above them. Only a function that is bound to a key knows
+  // where the cursor is.
+  int redraw() {
+    const int rows = rows_above(text().substr(0, cursor()), prompt_width_, terminal_size().columns);
+    write_all((rows > 0 ? fmt::format("\x1b[{}A", rows) : "") + "\r\x1b[J" + std::exchange(above_, ""));
     rl_forced_update_display();
+    return 0;
   }
 
   int enter() {
@@ -338,6 +328,8 @@ private:
   LineEditorHooks hooks_;
   KeyReader reader_;
   std::deque<int> queue_;
+  int prompt_width_ = 0;
+  std::string above_; // what the next drawing puts above the prompt
   bool has_reserved_ = false;
   std::optional<std::string> paste_;
   End end_ = End::end_of_input;
@@ -363,12 +355,16 @@ std::string LineEditor::ask(std::string_view question, char last) {
 }
 
 LineEditor::Line LineEditor::read(std::string_view prompt) {
-  keys_->begin();
+  const auto [marked, width] = mark_invisible(prompt);
+  keys_->begin(width);
   const BracketedPaste pasting;
-  char* typed = readline(mark_invisible(prompt).c_str());
+  char* typed = readline(marked.c_str());
   Line line{keys_->end(), typed ? typed : ""};
   std::free(typed);
-  if (auto paste = keys_->take_paste()) line.text += *paste;
+  if (const auto paste = keys_->take_paste()) {
+    line.text += *paste;
+    write_all(printable(*paste) + "\n");
+  }
   if (line.end != End::line) {
     write_all(line.end == End::interrupted ? "^C\r\n" : "\r\n");
     return line;

@@ -12,7 +12,7 @@ namespace rt::tools {
 /// What could stand in the place of the word before the cursor.
 struct Completion {
   std::size_t begin = 0;          ///< where that word begins in the text, in bytes
-  std::vector<std::string> words; ///< whole words, sorted
+  std::vector<std::string> words; ///< whole words, in the order in which they are shown
 };
 
 /// What the editor asks its owner while a line is typed.
@@ -56,11 +56,5 @@ private:
   std::unique_ptr<Keys> keys_;
   std::string history_path_;
 };
-
-/// The spaces to begin a new row with after `text`: two for every bracket that is open.
-std::string indentation_after(std::string_view text);
-
-/// How the words are laid out in columns for a terminal of that width; ends with a newline.
-std::string in_columns(const std::vector<std::string>& words, std::size_t width);
 
 } // namespace rt::tools

@@ -1,8 +1,11 @@
 #include "tools/repl/repl.hpp"
 
+#include "lang/session/session_text.hpp"
 #include "lang/syntax/parse.hpp"
+#include "lang/text/utf8.hpp"
 #include "tools/repl/commands.hpp"
 #include "tools/repl/completion.hpp"
+#include "tools/repl/key_reader.hpp"
 #include "tools/repl/line_editor.hpp"
 #include "tools/repl/preview.hpp"
 #include "tools/repl/shell.hpp"
@@ -41,30 +44,53 @@ bool is_complete_input(std::string_view text) {
 }
 
 std::string banner() {
-  return fmt::format("rtlang {}: type a thing to add it, :show to see it, :help for help, Ctrl-D to quit.\n",
-                     version_number());
+  return fmt::format("rtlang {}: type a thing to add it, :show to see it, :help, Ctrl-D to quit.\n", version_number());
 }
 
-std::string offer(const AbandonedSession& session) {
-  return fmt::format("A session of {:%Y-%m-%d %H:%M} was not saved ({} {}): :recover brings it back.\n",
-                     fmt::localtime(session.time), session.entries.size(),
-                     session.entries.size() == 1 ? "input" : "inputs");
+std::string inputs_text(const AbandonedSession& session) {
+  return fmt::format("{} {}", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs");
+}
+
+// The sessions that can be had again, each with its last input to be known by.
+std::string offer(const std::vector<AbandonedSession>& sessions) {
+  if (sessions.empty()) return "";
+  if (sessions.size() == 1)
+    return fmt::format("A session of {:%Y-%m-%d %H:%M} was not saved ({}): :recover brings it back.\n",
+                       fmt::localtime(sessions[0].time), inputs_text(sessions[0]));
+  std::string text = fmt::format("{} sessions were not saved; :recover N brings one back:\n", sessions.size());
+  for (std::size_t i = 0; i < sessions.size(); ++i)
+    text += fmt::format("  {}  {:%Y-%m-%d %H:%M}, {}, the last: {}\n", i + 1, fmt::localtime(sessions[i].time),
+                        inputs_text(sessions[i]), lang::shortened(sessions[i].entries.back()));
+  return text;
+}
+
+ShellOptions shell_options(const ReplOptions& options, const std::string& state, bool moves_cursor) {
+  return {options.load, std::filesystem::current_path().string(), state, true, moves_cursor};
+}
+
+void greet(Shell& shell, const ReplOptions& options) {
+  print(banner());
+  print(offer(shell.abandoned()));
+  if (!options.scene.empty()) shell.run(fmt::format(":load \"{}\"", options.scene));
+}
+
+void take_leave(Shell& shell) {
+  if (shell.has_unsaved_changes()) print("Not saved; the next session offers to recover it.\n");
+  shell.close();
 }
 
 // The terminal's side of a session.
 class Terminal {
 public:
   explicit Terminal(const ReplOptions& options)
-      : state_(state_folder()), shell_(shell_options(options, state_), {print, print, takes_color()}),
+      : state_(state_folder()), shell_(shell_options(options, state_, true), {print, print, takes_color()}),
         preview_(shell_.printer()), editor_(hooks(), state_.empty() ? "" : state_ + "/history") {}
 
   int run(const ReplOptions& options) {
     const QuietTerminal quiet;
     if (shell_.printer().wants_to_ask() && has_sixels(editor_.ask(attributes_query, 'c')))
       shell_.printer().use_sixels();
-    print(banner());
-    if (shell_.abandoned()) print(offer(*shell_.abandoned()));
-    if (!options.scene.empty()) shell_.run(fmt::format(":load \"{}\"", options.scene));
+    greet(shell_, options);
     const std::string prompt = shell_.output().uses_color ? "\x1b[1mrtl>\x1b[0m " : "rtl> ";
     while (!shell_.wants_to_quit()) {
       show_preview();
@@ -73,16 +99,11 @@ public:
       if (line.end == LineEditor::End::end_of_input) break;
       if (line.end == LineEditor::End::line) shell_.run(line.text);
     }
-    if (shell_.has_unsaved_changes()) print("Not saved; the next session offers to recover it.\n");
-    shell_.close();
+    take_leave(shell_);
     return exit_fine;
   }
 
 private:
-  static ShellOptions shell_options(const ReplOptions& options, const std::string& state) {
-    return {options.load, std::filesystem::current_path().string(), state, true};
-  }
-
   LineEditorHooks hooks() {
     LineEditorHooks hooks;
     hooks.is_complete = is_complete_input;
@@ -111,6 +132,50 @@ private:
   PreviewPrinter preview_;
   LineEditor editor_;
 };
+
+// A line that the terminal itself lets be edited. Nothing where Ctrl-C took it back; `is_at_end` where no more will
+// come.
+std::optional<std::string> read_plain(KeyReader& keys, bool& is_at_end) {
+  std::string line;
+  while (true) {
+    const Key key = keys.read();
+    switch (key.kind) {
+    case Key::Kind::character:
+      if (key.code == '\n') return line;
+      lang::append_utf8(line, key.code);
+      break;
+    case Key::Kind::interrupt:
+      return std::nullopt;
+    case Key::Kind::end:
+      is_at_end = true;
+      return std::nullopt;
+    default:
+      break;
+    }
+  }
+}
+
+// At a terminal that cannot move its cursor: prompts and answers alone.
+int run_plain(const ReplOptions& options) {
+  Shell shell(shell_options(options, state_folder(), false), {print, print, false});
+  KeyReader keys(-1);
+  greet(shell, options);
+  std::string pending;
+  for (bool is_at_end = false; !shell.wants_to_quit();) {
+    print(pending.empty() ? "rtl> " : "...> ");
+    const std::optional<std::string> line = read_plain(keys, is_at_end);
+    if (is_at_end) break;
+    if (!line) {
+      print("\n");
+      pending.clear();
+      continue;
+    }
+    pending += pending.empty() ? *line : "\n" + *line;
+    if (is_complete_input(pending)) shell.run(std::exchange(pending, ""));
+  }
+  take_leave(shell);
+  return exit_fine;
+}
 
 // Reads standard input line by line, so that a program at its other end is answered as it goes.
 class LineInput {
@@ -142,7 +207,7 @@ private:
 
 int run_script(const ReplOptions& options) {
   Shell shell(
-      {options.load, std::filesystem::current_path().string(), "", false},
+      {options.load, std::filesystem::current_path().string(), "", false, false},
       {[](std::string_view text) { rt::tools::print(text); }, [](std::string_view text) { print_error(text); }, false});
   bool is_fine = options.scene.empty() || shell.run(fmt::format(":load \"{}\"", options.scene));
   LineInput input;
@@ -161,7 +226,14 @@ int run_script(const ReplOptions& options) {
 } // namespace
 
 int run_repl(const ReplOptions& options) {
-  if (!is_interactive()) return run_script(options);
+  switch (console()) {
+  case Console::none:
+    return run_script(options);
+  case Console::plain:
+    return run_plain(options);
+  case Console::full:
+    break;
+  }
   use_utf8();
   Terminal terminal(options);
   return terminal.run(options);

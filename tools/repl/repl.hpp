@@ -12,8 +12,8 @@ struct ReplOptions {
   lang::LoadOptions load;
 };
 
-/// The interactive session; a plain one (no prompt, no colours, ended by the first error) where standard input or
-/// output is no terminal. The result is the exit code.
+/// The interactive session; at a terminal that cannot move its cursor with prompts alone; a script (no prompt, no
+/// colours, ended by the first error) where standard input or output is no terminal. The result is the exit code.
 int run_repl(const ReplOptions& options);
 
 } // namespace rt::tools

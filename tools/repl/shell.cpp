@@ -43,8 +43,8 @@ const ShellCommand* meant_command(std::string_view input) {
 
 Shell::Shell(const ShellOptions& options, ShellOutput output)
     : options_(options), output_(std::move(output)), session_(options.folder, stoppable(options.load)),
-      scene_(session_, stoppable(options.load)), printer_(options.is_interactive), journal_(options.journal_folder),
-      abandoned_(find_abandoned_session(options.journal_folder)) {}
+      scene_(session_, stoppable(options.load)), printer_(options.moves_cursor), journal_(options.journal_folder),
+      abandoned_(find_abandoned_sessions(options.journal_folder)) {}
 
 bool Shell::fail(std::string_view text) const {
   output_.complain(fmt::format("{}\n", text));
@@ -119,15 +119,22 @@ void Shell::became_saved(const std::string& path) {
   has_changed_ = true;
 }
 
-bool Shell::recover() {
-  if (!abandoned_) return fail("there is no session to recover");
-  const AbandonedSession session = *abandoned_;
-  abandoned_.reset();
+bool Shell::recover(std::size_t number) {
+  if (abandoned_.empty()) return fail("there is no session to recover");
+  if (number < 1 || number > abandoned_.size())
+    return fail(fmt::format("which one? `:recover 1` to `{}`", abandoned_.size()));
+  const auto place = abandoned_.begin() + static_cast<std::ptrdiff_t>(number) - 1;
+  const AbandonedSession session = std::move(*place);
+  abandoned_.erase(place);
   std::error_code error;
   std::filesystem::current_path(session.working_folder, error);
-  for (const std::string& entry : session.entries)
-    if (!run(entry))
-      return fail(fmt::format("the session continues with what came before; its journal is kept in {}", session.path));
+  // What the inputs answered was read when they were typed.
+  const auto print_answers = std::exchange(output_.print, [](std::string_view) {});
+  const bool are_fine = std::all_of(session.entries.begin(), session.entries.end(),
+                                    [this](const std::string& entry) { return run(entry); });
+  output_.print = print_answers;
+  if (!are_fine)
+    return fail(fmt::format("the session continues with what came before; its journal is kept in {}", session.path));
   std::filesystem::remove(session.path, error);
   print(dim(fmt::format("{} {} restored", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
             output_.uses_color) +

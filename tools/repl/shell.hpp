@@ -25,6 +25,7 @@ struct ShellOptions {
   std::string folder;          ///< what relative includes start from
   std::string journal_folder;  ///< empty: no journal
   bool is_interactive = false; ///< a person sits there: small talk is welcome
+  bool moves_cursor = false;   ///< at a terminal where what was written can be written over
 };
 
 /// A session with its commands: takes complete inputs and answers them, without reading keys or knowing a terminal
@@ -64,9 +65,10 @@ public:
   void became_saved(const std::string& path);
   bool has_unsaved_changes() const { return session_.version() != saved_version_ && !session_.is_empty(); }
 
-  /// The last session that was not saved, if there is one to be had.
-  std::optional<AbandonedSession>& abandoned() { return abandoned_; }
-  bool recover();
+  /// The sessions that were not saved, the latest first.
+  const std::vector<AbandonedSession>& abandoned() const { return abandoned_; }
+  /// Runs the inputs of one of them, numbered from 1.
+  bool recover(std::size_t number);
   /// To be called at the end: a session that is saved or empty needs no journal.
   void close();
 
@@ -82,7 +84,7 @@ private:
   live::SessionScene scene_;
   PicturePrinter printer_;
   Journal journal_;
-  std::optional<AbandonedSession> abandoned_;
+  std::vector<AbandonedSession> abandoned_;
   std::string path_;
   std::size_t saved_version_ = 0;
   double last_seconds_ = 0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -91,6 +92,32 @@ std::vector<std::uint8_t> encode(const Film& film) {
   return bytes;
 }
 
+// Perceived lightness of linear light, 0 to 1 (CIE 1976 L*/100 of its luminance, the weights of Rec. 709).
+double lightness(const Rgb32& c) {
+  const auto part = [](float v) { return std::clamp(static_cast<double>(v), 0.0, 1.0); };
+  const double y = 0.2126 * part(c.r) + 0.7152 * part(c.g) + 0.0722 * part(c.b);
+  return y > 216.0 / 24389 ? 1.16 * std::cbrt(y) - 0.16 : y * 24389 / 2700;
+}
+
+// Characters alone: the lighter a cell, the more of it its character fills.
+std::string in_characters(const Film& film, const PictureExtent& extent) {
+  constexpr std::string_view ramp = " .:-=+*#%@";
+  std::string text;
+  for (int row = 0; row < extent.rows; ++row) {
+    for (int column = 0; column < extent.columns; ++column) {
+      double sum = 0;
+      int count = 0;
+      for (int y = row * film.height / extent.rows; y < (row + 1) * film.height / extent.rows; ++y)
+        for (int x = column * film.width / extent.columns; x < (column + 1) * film.width / extent.columns; ++x, ++count)
+          sum += lightness(film.color[film.index(x, y)]);
+      const double mean = count > 0 ? sum / count : 0;
+      text += ramp[static_cast<std::size_t>(std::lround(mean * static_cast<double>(ramp.size() - 1)))];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 // Terminals differ in where a picture leaves the cursor. So the rows are made first, and the cursor returns to their
 // beginning by itself.
 std::string framed(std::string_view picture, int rows) {
@@ -169,6 +196,7 @@ PictureExtent PicturePrinter::fit(scene::Resolution size, const TerminalSize& te
 }
 
 std::string PicturePrinter::print(const Film& film, const PictureExtent& extent) const {
+  if (graphics_ == Graphics::text) return in_characters(film, extent);
   const std::unique_ptr<ChafaCanvasConfig, CanvasConfigRelease> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), extent.columns, extent.rows);
   chafa_canvas_config_set_pixel_mode(config.get(), pixel_mode(graphics_));
@@ -179,16 +207,10 @@ std::string PicturePrinter::print(const Film& film, const PictureExtent& extent)
     chafa_canvas_config_set_cell_geometry(config.get(), std::max(1, extent.width / extent.columns),
                                           std::max(1, extent.height / extent.rows));
   const std::unique_ptr<ChafaSymbolMap, SymbolsRelease> symbols(chafa_symbol_map_new());
-  if (graphics_ == Graphics::text) {
-    chafa_symbol_map_add_by_tags(symbols.get(), CHAFA_SYMBOL_TAG_ASCII);
-    chafa_canvas_config_set_canvas_mode(config.get(), CHAFA_CANVAS_MODE_FGBG);
-    chafa_canvas_config_set_dither_mode(config.get(), CHAFA_DITHER_MODE_DIFFUSION);
-  } else {
-    chafa_symbol_map_add_by_tags(symbols.get(),
-                                 static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_VHALF | CHAFA_SYMBOL_TAG_SPACE));
-    chafa_canvas_config_set_canvas_mode(config.get(), has_pixels ? CHAFA_CANVAS_MODE_TRUECOLOR
-                                                                 : static_cast<ChafaCanvasMode>(color_mode_));
-  }
+  chafa_symbol_map_add_by_tags(symbols.get(),
+                               static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_VHALF | CHAFA_SYMBOL_TAG_SPACE));
+  chafa_canvas_config_set_canvas_mode(config.get(), has_pixels ? CHAFA_CANVAS_MODE_TRUECOLOR
+                                                               : static_cast<ChafaCanvasMode>(color_mode_));
   chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
 
   const std::unique_ptr<ChafaCanvas, CanvasRelease> canvas(chafa_canvas_new(config.get()));

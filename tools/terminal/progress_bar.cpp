@@ -33,10 +33,14 @@ std::string progress_line(const Progress& progress) {
 }
 
 void ProgressBar::show(const Progress& progress) {
+  show(progress_line(progress), progress.seconds);
+}
+
+void ProgressBar::show(std::string_view line, double seconds) {
   constexpr double at_once = 0.3; // seconds
-  if (!is_shown_ && progress.seconds < at_once) return;
+  if (!is_shown_ && seconds < at_once) return;
   is_shown_ = true;
-  print_error("\r" + progress_line(progress) + "\x1b[K");
+  print_error(fmt::format("\r{}\x1b[K", line));
 }
 
 ProgressBar::~ProgressBar() {

@@ -3,6 +3,7 @@
 #include "renderer/render/render.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace rt::tools {
 
@@ -10,8 +11,8 @@ namespace rt::tools {
 /// time that is left if the rest takes as long as what is done.
 std::string progress_line(const Progress& progress);
 
-/// Shows that line on standard error and takes it away at the end of its own life. Nothing is shown of what is done at
-/// once.
+/// Shows that line on standard error, which must be a terminal, and takes it away at the end of its own life. Nothing
+/// is shown of what is done at once.
 class ProgressBar {
 public:
   ProgressBar() = default;
@@ -19,6 +20,8 @@ public:
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
   void show(const Progress& progress);
+  /// Another line in its place: what takes `seconds` so far.
+  void show(std::string_view line, double seconds);
 
 private:
   bool is_shown_ = false;

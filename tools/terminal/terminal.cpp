@@ -55,9 +55,10 @@ TerminalSize terminal_size() {
   return size;
 }
 
-bool is_interactive() {
+Console console() {
+  if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return Console::none;
   const char* name = std::getenv("TERM");
-  return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && !(name && std::string_view(name) == "dumb");
+  return name && std::string_view(name) == "dumb" ? Console::plain : Console::full;
 }
 
 QuietTerminal::QuietTerminal() {

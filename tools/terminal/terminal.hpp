@@ -3,6 +3,7 @@
 #include <termios.h>
 
 #include <atomic>
+#include <cstdint>
 
 namespace rt::tools {
 
@@ -13,8 +14,13 @@ struct TerminalSize {
 };
 TerminalSize terminal_size();
 
-/// Standard input and output are a terminal that can move its cursor.
-bool is_interactive();
+/// What standard input and output are.
+enum class Console : std::uint8_t {
+  none,  ///< not both a terminal
+  plain, ///< one that cannot move its cursor: TERM=dumb, as in an editor's shell
+  full,
+};
+Console console();
 
 /// Between two lines the terminal neither echoes nor waits for whole lines, so that what is typed ahead waits in
 /// silence. Its own mode comes back at the end.

@@ -1,8 +1,7 @@
 #include "tests/paths.hpp"
-#include "tests/support/pty.hpp"
+#include "tests/tools/repl/terminal.hpp"
 
 #include <catch2/catch.hpp>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -19,56 +18,6 @@ namespace fs = std::filesystem;
 using namespace rt::tests;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-
-constexpr std::string_view prompt = "rtl>";
-
-// A home that outlives one run of the program.
-struct Home {
-  fs::path path = fs::temp_directory_path() / ("rtlang_repl_test_" + std::to_string(getpid()));
-  Home() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Home() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
-};
-
-class Terminal : public Pty {
-public:
-  explicit Terminal(const Home& home, std::vector<std::string> arguments = {}, int columns = 80, int rows = 24)
-      : Pty(command(std::move(arguments)),
-            {{"XDG_STATE_HOME", home.path.string()},
-             {"TERM", "xterm-256color"},
-             {"NO_COLOR", "1"},
-             {"RTLANG_GRAPHICS", "blocks"}},
-            columns, rows) {
-    REQUIRE(wait_for_cursor_row(prompt));
-  }
-  /// Types a line, and waits until the next one is asked for.
-  void say(const std::string& line) {
-    send(line + enter);
-    INFO(screen().text());
-    REQUIRE(wait_for_cursor_row(prompt));
-  }
-  /// Types what does not end a line, and waits for what the line is then.
-  void type(const std::string& keys, const std::string& row) {
-    send(keys);
-    INFO(screen().text());
-    REQUIRE(wait_for_cursor_row(row));
-  }
-  bool shows(std::string_view text) {
-    UNSCOPED_INFO(screen().text());
-    return wait_for(text, seconds(5));
-  }
-
-private:
-  static std::vector<std::string> command(std::vector<std::string> arguments) {
-    std::vector<std::string> all{RTLANG_BINARY};
-    if (!arguments.empty()) all.push_back("repl");
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return all;
-  }
-};
 
 TEST_CASE("repl at a terminal: things are typed, values answered, and Ctrl-D ends it") {
   const Home home;

@@ -22,7 +22,7 @@ TEST_CASE("session as a script: values alone are printed, without prompt, colour
   const TestFolder folder;
   const Outcome outcome = session(folder, "r = 2\n\nbox {\n  size: r\n}\nr * 3\nred\n:list\n");
   CHECK(outcome.exit_code == 0);
-  CHECK(outcome.output == "6\n#ff0000\n-     box   around [0, 0, 0]\n");
+  CHECK(outcome.output == "6\n#ff0000\n1     box   around [0, 0, 0]\n");
   CHECK(outcome.errors.empty());
 }
 
@@ -83,6 +83,25 @@ TEST_CASE("session as a script: the reference, POV-Ray's format and the program'
   CHECK(session(folder, ":doc spher\n").errors.find("did you mean `sphere`?") != std::string::npos);
 }
 
+TEST_CASE("session as a script: :set without a value says what can be set") {
+  const TestFolder folder;
+  const std::string scene = "ball = sphere {}\nball\nbox {}\ndef table(width = 2) { box { size: width } }\n";
+  CHECK(session(folder, scene + ":set ball.radius\n").output ==
+        "ball.radius: number = 1\n  distance from the middle to the surface\n");
+  CHECK(session(folder, scene + ":set 1.size\n").output.find("1.size: vector or number = 1\n") == 0);
+  CHECK(session(folder, scene + ":set table.width\n").output == "table.width: a parameter of its def\n");
+  CHECK(session(folder, scene + ":set background\n").output.find("background: colour") == 0);
+  CHECK(session(folder, scene + ":set ball\n").output.find("ball takes at, ") == 0);
+  CHECK(session(folder, scene + ":set ball.\n").output.find("ball takes at, ") == 0);
+  CHECK(session(folder, scene + ":set nobody.x\n").errors.find("`nobody` is no thing of the scene") == 0);
+}
+
+TEST_CASE("session as a script: :undo and :redo say what they took back and did again") {
+  const TestFolder folder;
+  const Outcome outcome = session(folder, "sphere {}\n:set sphere.radius 2\n:undo\n:undo\n:redo\n");
+  CHECK(outcome.output == "took back: :set sphere.radius 2\ntook back: sphere {}\ndid again: sphere {}\n");
+}
+
 TEST_CASE("session as a script: :why shows the main path of light, or as much of the tree as is asked for") {
   const TestFolder folder;
   const std::string scene = "sphere { material: material { refract: 0.9, reflect: 0.1, ior: 1.5 } }\n";
@@ -124,6 +143,10 @@ TEST_CASE("session as a script: pictures are characters") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.output.find('\x1b') == std::string::npos);
   CHECK(outcome.output.size() > 500);
+  // A red ball before a black background is seen.
+  const Outcome red = session(folder, "background: black\nsphere { material: #f00 }\n:show\n");
+  CHECK(red.output.find('=') != std::string::npos);
+  CHECK(red.output.find('@') == std::string::npos);
 }
 
 TEST_CASE("session as a script: what cannot be read or written is reported") {

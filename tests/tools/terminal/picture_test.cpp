@@ -52,6 +52,25 @@ TEST_CASE("picture: half blocks carry the film's colours, encoded as sRGB") {
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
 }
 
+TEST_CASE("picture: without colours the lighter a pixel, the fuller its character") {
+  const Variable text("RTLANG_GRAPHICS", "text");
+  const PicturePrinter printer(true);
+  const auto character = [&](rt::Rgb32 color) { return printer.print(film(2, 4, color), {1, 1, 2, 4}); };
+  // L* of linear luminance Y is 116·Y^(1/3) − 16 (CIE 1976): of red (0.2126) 53, green (0.7152) 88, blue (0.0722) 32,
+  // of 0.5 76; nine steps between 0 and 100.
+  CHECK(character({0, 0, 0}) == " \n");
+  CHECK(character({0, 0, 1}) == "-\n");
+  CHECK(character({1, 0, 0}) == "+\n");
+  CHECK(character({0.5F, 0.5F, 0.5F}) == "#\n");
+  CHECK(character({0, 1, 0}) == "%\n");
+  CHECK(character({9, 9, 9}) == "@\n");
+  // Cells in order, from the top left.
+  rt::Film halves = film(8, 8, {0, 0, 0});
+  for (int y = 0; y < 4; ++y)
+    for (int x = 4; x < 8; ++x) halves.color[halves.index(x, y)] = {1, 1, 1};
+  CHECK(printer.print(halves, {4, 2, 8, 8}) == "  @@\n    \n");
+}
+
 TEST_CASE("picture: every pixel is where it belongs, also where rows are of odd lengths") {
   const Variable blocks("RTLANG_GRAPHICS", "blocks"), direct("COLORTERM", "truecolor");
   const PicturePrinter printer(true);

@@ -6,6 +6,7 @@
 #include "tools/terminal/console.hpp"
 #include "tools/terminal/exit_code.hpp"
 #include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/progress_bar.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -33,6 +34,16 @@ povray::Gates gates_of(const CheckArguments& arguments) {
   return gates;
 }
 
+std::unique_ptr<const live::Check> check_with_progress(live::Document& document, live::CheckOptions options,
+                                                       const SceneArguments& scene) {
+  ProgressBar bar;
+  if (error_is_terminal() && !scene.is_quiet && !scene.json_diagnostics) {
+    options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+    options.on_wait = [&bar](double seconds) { bar.show(live::waiting_text(seconds), seconds); };
+  }
+  return live::check(document, options);
+}
+
 int run_check(const CheckArguments& arguments) {
   live::CheckOptions options;
   options.gates = gates_of(arguments);
@@ -41,7 +52,7 @@ int run_check(const CheckArguments& arguments) {
   live::Document document = load_document(*arguments.scene, *arguments.picture);
   if (!document.has_scene()) return exit_scene_is_wrong;
   if (!arguments.html.empty()) require_writable(arguments.html);
-  const auto check = live::check(document, options);
+  const auto check = check_with_progress(document, options, *arguments.scene);
   if (!check) throw Interrupted{};
   const povray::Report& report = check->report;
   if (!arguments.html.empty()) replace_file(arguments.html, povray::report_html(report));

@@ -35,9 +35,9 @@ struct Answer {
 /// How much of the tree of rays an explanation shows; a ray that is not shown is a line with what it returns. Unless
 /// told otherwise it shows the rays on the path that carries most of the light.
 struct Detail {
-  bool all = false;            ///< every ray
-  std::optional<int> depth;    ///< rays down to this depth, the first ray's being 0
-  std::optional<double> least; ///< rays with at least this weight, by its largest component
+  bool all = false;              ///< every ray
+  std::optional<int> depth{};    ///< rays down to this depth, the first ray's being 0
+  std::optional<double> least{}; ///< rays with at least this weight, by its largest component
 
   bool is_path_only() const { return !all && !depth && !least; }
 };

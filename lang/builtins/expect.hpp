@@ -5,6 +5,7 @@
 #include "renderer/scene/scene.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,14 @@ struct Sighting {
   std::string title;                  ///< how it is called in messages
 };
 
+/// Light that was found, with the standard error of an estimate and how many samples that took.
+struct LightAnswer {
+  Color color;
+  double error = 0;
+  std::uint32_t samples = 0;
+  bool is_precise = true; ///< 4 standard errors are within the precision that was asked for
+};
+
 /// Looks at one scene for the expectations in it. The language asks, and does not know who traces.
 class Observer {
 public:
@@ -31,8 +40,15 @@ public:
   virtual std::optional<Sighting> nearest(const Ray& ray) const = 0;
   /// The t of all hits, in order.
   virtual std::vector<double> crossings(const Ray& ray) const = 0;
+  /// Whether light is estimated, by samples: then the following are as precise as is asked for, if they can be.
+  virtual bool estimates() const = 0;
   /// The linear radiance of a pixel inside the picture, before it is rounded for the film.
-  virtual Color pixel_color(int x, int y) const = 0;
+  virtual LightAnswer pixel_color(int x, int y, double precision) const = 0;
+  /// The light that comes in along a ray, whatever the length of its direction.
+  virtual LightAnswer radiance(const Ray& ray, double precision) const = 0;
+  /// The light that falls on a point from the side that the normal, of whatever length, points to. Only where it is
+  /// estimated.
+  virtual LightAnswer irradiance(const Vec3& point, const Vec3& normal, double precision) const = 0;
 };
 
 /// Makes an observer of a scene that outlives it.

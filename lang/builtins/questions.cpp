@@ -82,10 +82,43 @@ Value normal(BuiltinCall& c) {
   return seen ? Value(seen->normal) : Value();
 }
 
-Value color(BuiltinCall& c) {
-  const Observer* observer = is_pixel(c) ? c.observer() : nullptr;
+/// The light that `ask(observer, precision)` finds; grey is a number to compare with.
+template <class Ask>
+Value light(BuiltinCall& c, Ask&& ask) {
+  const Observer* observer = c.observer();
   if (!observer) return Value::poison();
-  return observer->pixel_color(static_cast<int>(c.number(0)), static_cast<int>(c.number(1)));
+  const std::optional<double> precision = c.precision();
+  if (observer->estimates() && !precision)
+    return c.fail(0, "in path mode this is an estimate: say how precise it is to be, as in `~ 0.5 within 0.001`");
+  const LightAnswer found = ask(*observer, precision.value_or(0));
+  if (found.is_precise) return found.color;
+  return c.fail(0,
+                fmt::format("{} samples leave an error of {:.2g}, which must be a quarter of `within`: allow more, or "
+                            "ask where there is less noise",
+                            found.samples, found.error));
+}
+
+Value color(BuiltinCall& c) {
+  if (!is_pixel(c)) return Value::poison();
+  return light(c, [&](const Observer& observer, double precision) {
+    return observer.pixel_color(static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), precision);
+  });
+}
+
+Value radiance(BuiltinCall& c) {
+  if (!is_ray(c)) return Value::poison();
+  return light(c, [&](const Observer& observer, double precision) {
+    return observer.radiance({c.vector(0), c.vector(1)}, precision);
+  });
+}
+
+Value irradiance(BuiltinCall& c) {
+  if (!c.scene().is_path()) return c.fail(0, "only `mode: path` knows the light that falls on a point from all sides");
+  if (!(length(c.vector(1)) > 0) || !is_finite(c.vector(0)) || !is_finite(c.vector(1)))
+    return c.fail(1, "a normal points somewhere: it is finite and not 0", "");
+  return light(c, [&](const Observer& observer, double precision) {
+    return observer.irradiance(c.vector(0), c.vector(1), precision);
+  });
 }
 
 Value crossings(BuiltinCall& c) {
@@ -109,6 +142,10 @@ std::span<const Builtin> questions() {
        "the distance from the eye to what the pixel's centre shows; infinite for nothing", depth},
       {"normal", "x: number, y: number", "the unit normal there, out of the solid; `none` for nothing", normal},
       {"color", "x: number, y: number", "the light of a pixel, as a colour before it is rounded", color},
+      {"radiance", "origin: vector, direction: vector", "the light that comes in along a ray, as a colour", radiance},
+      {"irradiance", "point: vector, normal: vector",
+       "in path mode, the light that falls on a point from the side of the normal, as a colour; π under a white sky",
+       irradiance},
       {"crossings", "origin: vector, direction: vector, thing: any = ?", "t of all hits of a ray, in order", crossings},
   };
   return table;

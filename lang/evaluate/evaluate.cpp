@@ -156,7 +156,7 @@ void Evaluator::finish_scene() {
   const bool has_ambient = std::ranges::any_of(scene_properties_.values, [&](const PropertyValue& p) {
     return scene_properties_.type->properties[p.id].name == "ambient";
   });
-  if (scene_.lights.empty() && !has_ambient) report_.add(errors::assumed_light(whole_scene, assume_light(scene_)));
+  if (lacks_light(scene_, has_ambient)) report_.add(errors::assumed_light(whole_scene, assume_light(scene_)));
 }
 
 bool Evaluator::set_scene_properties() {

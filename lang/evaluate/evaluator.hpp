@@ -72,6 +72,7 @@ private:
   }
   Value declared_value(NodeId item, const Context& context) override;
   const Observer* observer() override { return expectations_.observer(); }
+  std::optional<double> precision() const override { return expectations_.precision(); }
   const Observer* observer_of(const Value& thing, Span place) override {
     return expectations_.observer_of(thing, place);
   }

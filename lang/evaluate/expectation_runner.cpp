@@ -119,11 +119,14 @@ std::optional<double> ExpectationRunner::tolerance_of(const ExpectItem& item, co
 bool ExpectationRunner::holds_near(const Expectation& expectation, const ExpectItem& item) {
   constexpr double none_given = -1;
   const Context context{expectation.unit, expectation.frame.get()};
+  const auto given = tolerance_of(item, context, none_given);
+  if (!given) return false;
+  const auto tolerance = *given == none_given ? std::nullopt : given;
+  precision_ = tolerance;
   const Value found = expressions_.evaluate(item.subject, context),
               expected = expressions_.evaluate(item.other, context);
-  const auto given = tolerance_of(item, context, none_given);
-  if (found.is_poison() || expected.is_poison() || !given) return false;
-  const auto tolerance = *given == none_given ? std::nullopt : given;
+  precision_.reset();
+  if (found.is_poison() || expected.is_poison()) return false;
   if (are_near(found, expected, tolerance)) return true;
   std::string wanted = format(expected, program_.symbols);
   if (tolerance) wanted += fmt::format(" within {}", format_number(*tolerance));

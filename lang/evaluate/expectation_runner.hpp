@@ -23,6 +23,8 @@ public:
   Expectations run(const std::vector<Expectation>& expectations);
   /// Of the scene as it is when it is asked for first.
   const Observer* observer();
+  /// How near the expectation that is being tried wants to see two values, where it says so.
+  std::optional<double> precision() const { return precision_; }
   /// Of a thing alone, which need not stand in the scene; null after a mistake.
   const Observer* observer_of(const Value& thing, Span place);
   /// Lets go of observers and of what they look at.
@@ -52,6 +54,7 @@ private:
   const ObserverMaker* make_observer_ = nullptr;
   std::unique_ptr<Observer> observer_; // of the scene
   Alone alone_;                        // the thing that was asked about last
+  std::optional<double> precision_;
   Expectations outcome_;
 };
 

@@ -46,12 +46,7 @@ void SessionScene::show(const Document& document) {
 
 void SessionScene::show_settings(const Document& document) {
   scene::Scene& scene = evaluator_.scene();
-  const scene::Scene defaults;
-  scene.size = defaults.size;
-  scene.background = defaults.background;
-  scene.ambient = defaults.ambient;
-  scene.max_depth = defaults.max_depth;
-  scene.samples = defaults.samples;
+  static_cast<scene::Settings&>(scene) = {};
   scene.lights.clear();
   bool has_camera = false, has_ambient = false;
   const NodeType& type = program_.types.scene();
@@ -80,7 +75,7 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
     for (const auto& chunk : document.chunks()) box.extend(chunk->finite_box);
     assumptions_.push_back(errors::assumed_camera({}, assume_camera(scene, box)));
   }
-  if (scene.lights.empty() && !has_ambient) assumptions_.push_back(errors::assumed_light({}, assume_light(scene)));
+  if (lacks_light(scene, has_ambient)) assumptions_.push_back(errors::assumed_light({}, assume_light(scene)));
 }
 
 namespace {

@@ -39,6 +39,8 @@ public:
   /// Who looks at the scene, or at the thing alone that argument `alone` is, placed or not; null after a failure, which
   /// is reported. For questions only.
   virtual const Observer* observer(std::optional<std::size_t> alone = {}) = 0;
+  /// How precise an answer is to be, where an expectation says so. For questions only.
+  virtual std::optional<double> precision() = 0;
   virtual const scene::Scene& scene() = 0;
 
   bool has(std::size_t i) const { return i < arguments.size() && !arguments[i].is(ValueKind::unset); }

@@ -65,6 +65,13 @@ public:
   /// The box around its leaves: empty maybe; infinite where they are.
   const Box3& box() const { return box_; }
 
+  /// Calls f with each set of its leaves.
+  template <class F>
+  void for_each_set(F&& f) const {
+    bounded_.for_each(f);
+    unbounded_.for_each(f);
+  }
+
   /// How many objects come before the one in `slot`, those within instances counted one by one.
   std::uint64_t order(std::uint32_t slot) const;
   std::uint64_t object_count() const { return object_count_; }

@@ -65,7 +65,7 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder, HitRules rules)
     : device_(std::make_shared<bvh::Device>(threads, builder)), background_(scene.background), ambient_(scene.ambient),
-      max_depth_(scene.max_depth) {
+      max_depth_(scene::depth_limit(scene)) {
   const auto bindings = std::make_shared<MaterialBindings>(validated(scene));
   bindings_ = bindings;
   objects_ = compile(scene, scene.objects, *device_, *bindings, {}, {}, rules);
@@ -74,7 +74,7 @@ CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builde
 }
 
 CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
-    : background_(scene.background), ambient_(scene.ambient), max_depth_(scene.max_depth) {
+    : background_(scene.background), ambient_(scene.ambient), max_depth_(scene::depth_limit(scene)) {
   objects_ = cache.compile(scene, parts);
   device_ = cache.device_;
   bindings_ = cache.bindings_;
@@ -84,7 +84,16 @@ CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> pa
 
 void CompiledScene::add_lights(const scene::Scene& scene) {
   lights_.reserve(scene.lights.size());
-  for (const scene::Light& light : scene.lights) lights_.push_back(make_light(light));
+  for (const scene::Light& light : scene.lights) {
+    lights_.push_back(make_light(light));
+    if (const SkyEmitter* sky = std::get_if<SkyEmitter>(&lights_.back().emitter)) skies_.push_back(*sky);
+  }
+}
+
+Color CompiledScene::sky_light(const Vec3& direction) const {
+  Color sum = black;
+  for (const SkyEmitter& sky : skies_) sum += radiance(sky, direction);
+  return sum;
 }
 
 RayHit CompiledScene::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
@@ -124,6 +133,16 @@ void CompiledScene::transmittance(std::span<const ShadowRay> rays, std::span<Tra
   const auto blocked = root_->blocks(std::span(packet).first(rays.size()));
   for (std::size_t i = 0; i < rays.size(); ++i)
     *rays[i].transmittance = blocked[i] ? black : through(scratch[i].attenuations);
+}
+
+// What does not block light is rare: only where it is met is the rest of the ray looked at as a whole, because what
+// does may be just as far.
+RayHit CompiledScene::nearest_casting(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
+  const RayHit nearest_hit = nearest(ray, range, scratch);
+  if (!nearest_hit || casts_shadow(nearest_hit)) return nearest_hit;
+  for (const RayHit& hit : all_hits(ray, range))
+    if (casts_shadow(hit)) return hit;
+  return {};
 }
 
 bool CompiledScene::casts_shadow(const RayHit& hit) const {

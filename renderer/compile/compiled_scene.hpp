@@ -36,8 +36,8 @@ struct Surface {
   double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
   std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
   std::uint32_t material_id = 0;
-  Vec3 pattern_point; ///< the point as the material's patterns see it
-  double ior = 1;     ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
+  Vec3 pattern_point{}; ///< the point as the material's patterns see it
+  double ior = 1;       ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
 };
 
 /// A scene made ready for tracing: immutable, shared by all threads.
@@ -75,6 +75,8 @@ public:
 
   /// All hits, from near to far; with equal distances in the order of declaration.
   std::vector<RayHit> all_hits(const Ray& ray, const Interval& range) const;
+  /// The nearest hit of those that block light.
+  RayHit nearest_casting(const Ray& ray, const Interval& range, TraceScratch& scratch) const;
   /// Whether what was hit blocks light: an object, or what it is part of, may cast none.
   bool casts_shadow(const RayHit& hit) const;
   /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
@@ -87,19 +89,29 @@ public:
   /// a combination, to the operand whose surface it is.
   std::vector<std::uint32_t> path(const RayHit& hit) const;
 
+  /// What it is made of.
+  const Aggregate& objects() const { return *root_; }
+  const MaterialBindings& bindings() const { return *bindings_; }
   const std::vector<Light>& lights() const { return lights_; }
-  Color background() const { return background_; }
+  /// What comes in from a direction (unit) where nothing is: the skies' light, all together, or the background.
+  Color environment(const Vec3& direction) const {
+    if (skies_.empty()) [[likely]]
+      return background_;
+    return sky_light(direction);
+  }
   Color ambient() const { return ambient_; }
   int max_depth() const { return max_depth_; }
 
 private:
   void add_lights(const scene::Scene& scene);
+  Color sky_light(const Vec3& direction) const;
 
   std::shared_ptr<const bvh::Device> device_;
   std::shared_ptr<const MaterialBindings> bindings_;
   std::shared_ptr<const CompiledObjects> objects_;
   const Aggregate* root_; // of the objects
   std::vector<Light> lights_;
+  std::vector<SkyEmitter> skies_;
   Color background_, ambient_;
   int max_depth_;
 };

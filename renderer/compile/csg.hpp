@@ -45,6 +45,7 @@ public:
   SurfacePoint point(const Ray& ray, const RayHit& hit) const;
 
   const Operand& operand(std::uint32_t i) const { return operands_[i]; }
+  std::uint32_t operand_count() const { return static_cast<std::uint32_t>(operands_.size()); }
   /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
 

@@ -5,7 +5,7 @@
 namespace rt {
 
 MaterialBindings::MaterialBindings(const scene::Scene& scene) : materials_(scene) {
-  bindings_.push_back({materials_.default_material(), nowhere, true, false});
+  bindings_.push_back({materials_.default_material(), nowhere, true, false, false});
   extend(scene);
 }
 
@@ -15,8 +15,10 @@ void MaterialBindings::extend(const scene::Scene& scene) {
     const std::uint32_t material = Materials::index(scene::MaterialId{static_cast<std::uint32_t>(i)});
     const bool is_opaque = scene::is_opaque(scene.materials[i]), uses_ior = !is_opaque || scene.materials[i].fresnel;
     placeless_.push_back(BindingId{static_cast<std::uint32_t>(bindings_.size())});
-    bindings_.push_back({material, nowhere, is_opaque, uses_ior});
+    const bool shines = scene::shines(scene.materials[i]);
+    bindings_.push_back({material, nowhere, is_opaque, uses_ior, shines});
     uses_ior_ = uses_ior_ || uses_ior;
+    any_shines_ = any_shines_ || shines;
   }
 }
 
@@ -33,8 +35,8 @@ BindingId MaterialBindings::of(const scene::Object& object, const Affine& to_out
   if (!materials_.has_patterns(material)) return placeless;
   const std::optional<Affine> to_object = inverse(to_outer);
   assert(to_object && "a transform must not flatten its object");
-  bindings_.push_back(
-      {material, static_cast<std::uint32_t>(places_.size()), at(placeless).is_opaque, at(placeless).uses_ior});
+  bindings_.push_back(at(placeless));
+  bindings_.back().place = static_cast<std::uint32_t>(places_.size());
   places_.push_back(to_object.value_or(Affine{}));
   return BindingId{static_cast<std::uint32_t>(bindings_.size() - 1)};
 }

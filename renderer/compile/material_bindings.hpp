@@ -39,6 +39,9 @@ public:
   /// Whether the index of refraction of the binding's material matters at all, and whether any binding's does.
   bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }
   bool uses_ior() const { return uses_ior_; }
+  /// Whether it gives off light somewhere, and whether any binding does.
+  bool shines(BindingId binding) const { return at(binding).shines; }
+  bool any_shines() const { return any_shines_; }
   std::uint32_t material(BindingId binding) const { return at(binding).material; }
   /// 1 where it does not matter.
   double ior(BindingId binding) const { return uses_ior(binding) ? materials_.constant(at(binding).material).ior : 1; }
@@ -67,6 +70,7 @@ private:
     std::uint32_t place;
     bool is_opaque;
     bool uses_ior;
+    bool shines;
   };
   const MaterialBinding& at(BindingId id) const { return bindings_[static_cast<std::size_t>(id)]; }
 
@@ -75,6 +79,7 @@ private:
   std::vector<BindingId> placeless_;      // by material as the scene numbers them
   std::vector<Affine> places_;
   bool uses_ior_ = false;
+  bool any_shines_ = false;
 };
 
 } // namespace rt

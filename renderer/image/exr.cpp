@@ -73,6 +73,10 @@ constexpr Channel object_channels[] = {{"object.id", Imf::UINT, 0}};
 constexpr Channel albedo_channels[] = {
     {"albedo.R", Imf::FLOAT, 0}, {"albedo.G", Imf::FLOAT, 4}, {"albedo.B", Imf::FLOAT, 8}};
 
+constexpr Channel error_channels[] = {
+    {"error.R", Imf::FLOAT, 0}, {"error.G", Imf::FLOAT, 4}, {"error.B", Imf::FLOAT, 8}};
+constexpr Channel samples_channels[] = {{"samples", Imf::UINT, 0}};
+
 /// The nearest object of each pixel by the float of its name, and how much of the pixel it covers; there is no second.
 struct Matte {
   float id = 0, coverage = 0, second_id = 0, second_coverage = 0;
@@ -158,6 +162,10 @@ std::string encode_exr(const Film& film, const EncodeOptions& options) {
     for (const auto& [key, value] : matte_metadata(matte_layer, ids)) header.insert(key, Imf::StringAttribute(value));
     add(matte_channels, matte);
   }
+  if (!film.error.empty()) {
+    add(error_channels, pixels.error);
+    add(samples_channels, pixels.samples);
+  }
 
   std::string bytes;
   StringOutput output(bytes);
@@ -196,6 +204,12 @@ Image decode_exr(std::string_view bytes, const std::string& name) try {
       pixels.resize(image.color.size());
       add_slices(frame, channels, pixels, image.width, window.min);
     });
+  }
+  if (has_all(list, error_channels) && has_all(list, samples_channels)) {
+    image.error.resize(image.color.size());
+    image.samples.resize(image.color.size());
+    add_slices(frame, error_channels, image.error, image.width, window.min);
+    add_slices(frame, samples_channels, image.samples, image.width, window.min);
   }
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);

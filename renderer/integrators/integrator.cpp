@@ -1,5 +1,6 @@
 #include "renderer/integrators/integrator.hpp"
 
+#include "renderer/integrators/path/path.hpp"
 #include "renderer/integrators/whitted.hpp"
 
 #include <cassert>
@@ -10,6 +11,8 @@ std::unique_ptr<const Integrator> make_integrator(IntegratorKind kind, const Com
   switch (kind) {
   case IntegratorKind::whitted:
     return make_whitted(scene);
+  case IntegratorKind::path:
+    return make_path(scene);
   case IntegratorKind::whitted_povray:
     return make_whitted_povray(scene);
   }

@@ -2,6 +2,7 @@
 
 #include "renderer/compile/compiled_scene.hpp"
 #include "renderer/integrators/ray_counts.hpp"
+#include "renderer/sampling/sobol.hpp"
 
 #include <atomic>
 #include <memory>
@@ -20,8 +21,10 @@ public:
   public:
     virtual ~Worker() = default;
     /// The light that comes in along each of the camera's rays (unit directions), which should run close together,
-    /// `camera_batch_size` at most, and start inside of these solids: `CompiledScene::around`.
-    virtual void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) = 0;
+    /// `camera_batch_size` at most, and start inside of these solids: `CompiledScene::around`. `streams` are the rays'
+    /// random numbers; who draws none takes an empty one.
+    virtual void radiance(std::span<const Ray> rays, std::span<const SampleStream> streams,
+                          const std::vector<Medium>& inside, std::span<Color> results) = 0;
     virtual const RayCounts& counts() const = 0;
   };
 
@@ -32,6 +35,7 @@ public:
 
 enum class IntegratorKind {
   whitted,
+  path,
   whitted_povray ///< under POV-Ray's rules, for explaining where its pictures differ
 };
 

@@ -17,7 +17,8 @@ private:
   public:
     WhittedWorker(const CompiledScene& scene, const std::atomic<bool>* stop) : tracer_(scene, recorder_, stop) {}
 
-    void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) override {
+    void radiance(std::span<const Ray> rays, std::span<const SampleStream>, const std::vector<Medium>& inside,
+                  std::span<Color> results) override {
       tracer_.radiance(rays, inside, results);
     }
     const RayCounts& counts() const override { return tracer_.counts(); }

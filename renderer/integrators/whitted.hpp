@@ -26,8 +26,9 @@ public:
   void cut_off() { recorder_.too_deep(); }
 
   void escape(PathState& path) {
-    recorder_.miss(scene_.background());
-    path.sum += path.passed * scene_.background();
+    const Color seen = scene_.environment(path.ray.direction);
+    recorder_.miss(seen);
+    path.sum += path.passed * seen;
   }
 
   /// The path has hit `at.surface`, where the material has these values.

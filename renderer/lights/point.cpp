@@ -9,6 +9,8 @@ std::span<const Field> fields(const PointLight*) {
       field<&PointLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
       field<&PointLight::fade>("fade",
                                {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
+      field<&PointLight::radius>(
+          "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative}),
       field<&PointLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
   };
   return table;
@@ -23,7 +25,7 @@ std::optional<Problem> check(const PointLight&) {
 namespace rt {
 
 PointEmitter placed(const scene::PointLight& light, const Affine& to_scene) {
-  return {to_scene.point(light.at), light.fade};
+  return {to_scene.point(light.at), light.fade, light.radius.value_or(0) * mean_scale(to_scene)};
 }
 
 } // namespace rt

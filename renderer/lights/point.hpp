@@ -11,6 +11,7 @@ struct PointLight : LightCommon {
   static constexpr std::string_view help = "a lamp that shines from a point, equally in all directions";
   Vec3 at{};
   Fade fade;
+  std::optional<double> radius; ///< of the ball that it is in path mode; 0
 };
 
 std::span<const Field> fields(const PointLight*);
@@ -23,6 +24,7 @@ namespace rt {
 struct PointEmitter {
   Vec3 at;
   scene::Fade fade;
+  double radius = 0;
 };
 
 PointEmitter placed(const scene::PointLight& light, const Affine& to_scene);

@@ -16,6 +16,8 @@ std::span<const Field> fields(const SpotLight*) {
       field<&SpotLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
       field<&SpotLight::fade>("fade",
                               {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
+      field<&SpotLight::radius>(
+          "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative}),
       field<&SpotLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
   };
   return table;
@@ -35,8 +37,12 @@ namespace rt {
 
 SpotEmitter placed(const scene::SpotLight& light, const Affine& to_scene) {
   const Vec3 at = to_scene.point(light.at);
-  return {at, normalize(to_scene.point(light.look_at) - at), cos_degrees(light.angle / 2),
-          cos_degrees(light.falloff.value_or(light.angle) / 2), light.fade};
+  return {at,
+          normalize(to_scene.point(light.look_at) - at),
+          cos_degrees(light.angle / 2),
+          cos_degrees(light.falloff.value_or(light.angle) / 2),
+          light.fade,
+          light.radius.value_or(0) * mean_scale(to_scene)};
 }
 
 double spot_at(const SpotEmitter& light, double cosine) {

@@ -15,6 +15,7 @@ struct SpotLight : LightCommon {
   double angle = 40;
   std::optional<double> falloff;
   Fade fade;
+  std::optional<double> radius; ///< of the ball that it is in path mode; 0
 };
 
 std::span<const Field> fields(const SpotLight*);
@@ -30,6 +31,7 @@ struct SpotEmitter {
   double cos_full; ///< of the half angle of the cone of full light
   double cos_none; ///< of the half angle beyond which there is none
   scene::Fade fade;
+  double radius = 0;
 };
 
 SpotEmitter placed(const scene::SpotLight& light, const Affine& to_scene);

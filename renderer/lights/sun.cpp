@@ -1,12 +1,17 @@
 #include "renderer/lights/sun.hpp"
 
+#include "renderer/math/degrees.hpp"
+
 namespace rt::scene {
 
 std::span<const Field> fields(const SunLight*) {
+  static constexpr Constraint seen_angle{.min = 0, .max = 180};
   static constexpr Field table[] = {
       field<&SunLight::direction>("direction", {"[-1, -2, -1]", "the way its light travels", nonzero}),
       field<&SunLight::color>("color", {"white", "colour of the light", not_negative}),
       field<&SunLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
+      field<&SunLight::size>(
+          "size", {"0", "in path: angle that it is seen at, degrees (0.533 is ours); softens shadows", seen_angle}),
       field<&SunLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
   };
   return table;
@@ -21,7 +26,8 @@ std::optional<Problem> check(const SunLight&) {
 namespace rt {
 
 SunEmitter placed(const scene::SunLight& light, const Affine& to_scene) {
-  return {normalize(to_scene.vector(light.direction))};
+  const double half_sine = sin_degrees(light.size.value_or(0) / 4); // of half the half angle: 1 − cos a = 2 sin²(a/2)
+  return {normalize(to_scene.vector(light.direction)), 2 * half_sine * half_sine};
 }
 
 } // namespace rt

@@ -37,6 +37,10 @@ std::optional<double> similarity_scale(const Affine& a) {
   return scale;
 }
 
+double mean_scale(const Affine& a) {
+  return std::cbrt(std::abs(a.determinant()));
+}
+
 Box3 transform_box(const Affine& a, const Box3& box) {
   if (box.is_empty()) return box;
   Box3 image{a.translation, a.translation};

@@ -52,6 +52,9 @@ std::optional<Affine> inverse(const Affine& a);
 /// only.
 std::optional<double> similarity_scale(const Affine& a);
 
+/// The factor by which it enlarges lengths, in the mean: the cube root of that for volumes.
+double mean_scale(const Affine& a);
+
 /// The smallest box around the image of `box`; infinite sides stay infinite.
 Box3 transform_box(const Affine& a, const Box3& box);
 

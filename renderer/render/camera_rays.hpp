@@ -25,7 +25,12 @@ public:
     return ray(pixel.x + sampler.get(pixel, sample, 0), pixel.y + sampler.get(pixel, sample, 1));
   }
 
-  /// Whether all rays start at the same point.
+  /// The ray through that point of the picture and a point of the lens, for u and v that are spread evenly: all of them
+  /// meet in the plane of focus. Without a lens it is the one ray.
+  Ray lens_ray(double x, double y, double u, double v) const;
+  bool has_lens() const { return lens_radius_ > 0; }
+
+  /// Whether all rays of `ray` start at the same point.
   bool has_one_eye() const { return !is_orthographic_; }
 
 private:
@@ -33,6 +38,8 @@ private:
   Vec3 forward_, right_, down_; // right_ and down_ reach from the picture's middle to its edges
   double width_, height_;
   bool is_orthographic_;
+  double lens_radius_, focus_distance_;
+  Vec3 lens_right_, lens_down_; // as long as the lens's radius
 };
 
 } // namespace rt

@@ -37,6 +37,9 @@ struct Film {
   std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
   std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
 
+  std::vector<Rgb32> error;           ///< in path mode: the standard error of the colour, estimated for each pixel
+  std::vector<std::uint32_t> samples; ///< and how many there were
+
   ToneMapping tone_mapping; ///< how it is to be shown; all colours here are linear light
 
   /// Where it stands in the whole picture, which may be larger: its upper left corner, and the picture's size.

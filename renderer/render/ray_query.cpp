@@ -5,7 +5,8 @@
 namespace rt {
 
 RayQuery::RayQuery(const scene::Scene& scene, int threads, HitRules rules)
-    : scene_(scene, threads, bvh::default_builder, rules), camera_(scene.camera, scene.size), sampler_(scene.samples) {}
+    : scene_(scene, threads, bvh::default_builder, rules), camera_(scene.camera, scene.size),
+      sampler_(scene::whitted_samples(scene)) {}
 
 std::optional<HitReport> RayQuery::nearest(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;
@@ -22,8 +23,11 @@ std::vector<HitReport> RayQuery::all_hits(const Ray& ray, const Interval& range)
 
 Color RayQuery::radiance(const Ray& ray, IntegratorKind kind) const {
   const Ray traced = unit(ray);
+  const SampleStream stream;
   Color result;
-  make_integrator(kind, scene_)->make_worker()->radiance({&traced, 1}, scene_.around(ray.origin), {&result, 1});
+  make_integrator(kind, scene_)
+      ->make_worker()
+      ->radiance({&traced, 1}, {&stream, 1}, scene_.around(ray.origin), {&result, 1});
   return result;
 }
 

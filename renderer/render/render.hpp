@@ -13,15 +13,18 @@ namespace rt {
 
 /// What is known while a picture is being made.
 struct Progress {
-  double fraction = 0;    ///< of all tiles, 0 to 1
-  std::uint64_t rays = 0; ///< traced so far, of every kind
-  double seconds = 0;     ///< since tracing began
+  double fraction = 0;              ///< of all tiles, 0 to 1
+  std::uint64_t rays = 0;           ///< traced so far, of every kind
+  double seconds = 0;               ///< since tracing began
+  int samples = 0;                  ///< in path mode: that each pixel has
+  std::optional<double> noise = {}; ///< and the noisiest block's noise, once it is known
 };
 
 struct RenderOptions {
   int threads = 0;                         ///< 0: one for each core
   std::optional<PixelRect> crop;           ///< the film holds this part of the picture only; inside the scene's size
   bool layers = false;                     ///< fill the film's layers
+  std::optional<double> time_limit;        ///< seconds: in path mode no pass is begun that would take longer
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
   /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and
@@ -35,6 +38,8 @@ struct RenderStatistics {
   double build_seconds = 0; ///< compiling the description and building the acceleration structure
   double trace_seconds = 0;
   int threads = 0;
+  double samples = 0;          ///< for each pixel, in the mean
+  std::optional<double> noise; ///< in path mode, of the noisiest block: see `NoiseBlocks`
 };
 
 struct Rendered {
@@ -53,11 +58,19 @@ class CompiledScene;
 struct View {
   scene::Camera camera;
   scene::Resolution size{};
-  int samples = 1; ///< a square number
+  int samples = 1; ///< a square number in Whitted's mode
   ToneMapping tone_mapping = {};
+  scene::Mode mode = scene::Mode::whitted;
+  int seed = 0; ///< this and what follows in path mode only
+  scene::PixelFilter filter = scene::PixelFilter::blackman_harris;
+  double noise = 0; ///< at which a part of the picture needs no more samples
 };
-/// The scene's own view of itself.
+/// As the scene says; and in Whitted's mode whatever it says, for comparing.
 View view_of(const scene::Scene& scene);
+View whitted_view_of(const scene::Scene& scene);
+/// What the sums of path mode take beside the film.
+std::uint64_t sums_bytes(const PixelRect& rect);
+
 /// The same for a scene that is compiled already; its primitives and the time to build are not counted.
 Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options);
 

@@ -21,6 +21,10 @@ std::span<const Field> fields(const Camera*) {
       field<&Camera::projection>(
           "projection", {"perspective", "perspective or orthographic", any_value, 0, std::nullopt, projection_choices}),
       field<&Camera::width>("width", {"4", "width of an orthographic view", positive}),
+      field<&Camera::aperture>("aperture", {"0", "in path: diameter of the lens; 0 is sharp everywhere", not_negative}),
+      field<&Camera::focus_at>("focus_at",
+                               {"", "in path: a point in the plane that is sharp; else `look_at`", any_value, 1}),
+      field<&Camera::focus>("focus", {"", "in path: the distance of that plane", positive, 2}),
   };
   return table;
 }
@@ -36,7 +40,14 @@ std::optional<Problem> check(const Camera& camera) {
                    std::string("write another direction, for instance `up: ") +
                        (is_vertical ? "[0, 0, -1]`" : "[0, 1, 0]`")};
   }
+  if (!(focus_distance(camera) > 0))
+    return Problem{"focus_at", "`focus_at` is not before the camera: nothing there can be sharp"};
   return std::nullopt;
+}
+
+double focus_distance(const Camera& camera) {
+  if (camera.focus) return *camera.focus;
+  return dot(camera.focus_at.value_or(camera.look_at) - camera.at, normalize(camera.look_at - camera.at));
 }
 
 } // namespace rt::scene

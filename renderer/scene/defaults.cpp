@@ -37,6 +37,14 @@ std::string assume_camera(Scene& scene, const Box3& finite_bounds) {
   return fmt::format("there is no camera: looking from {} at {}", text(scene.camera.at), text(scene.camera.look_at));
 }
 
+bool lacks_light(const Scene& scene, bool has_ambient) {
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp)) return false;
+  if (!scene.is_path()) return !has_ambient;
+  if (!scene.lights.empty()) return false;
+  const auto& materials = scene.materials;
+  return scene.background == black && std::none_of(materials.begin(), materials.end(), shines);
+}
+
 std::string assume_light(Scene& scene) {
   SunLight sun;
   sun.direction = {-1, -2, -1.5};

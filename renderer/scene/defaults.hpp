@@ -12,7 +12,11 @@ namespace rt::scene {
 /// picture. Where there is nothing finite, it is the camera's defaults. Returns a note that says so.
 std::string assume_camera(Scene& scene, const Box3& finite_bounds);
 
-/// Gives a scene a sun, where it has no light and its `ambient` is not written. Returns a note that says so.
+/// Whether nothing would be seen in the scene for want of light: there is no lamp, and `ambient` is not written, or in
+/// path mode, which has no ambient light, nothing shines and the background is black.
+bool lacks_light(const Scene& scene, bool has_ambient);
+
+/// Gives a scene a sun. Returns a note that says so.
 std::string assume_light(Scene& scene);
 
 } // namespace rt::scene

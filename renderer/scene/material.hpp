@@ -42,4 +42,10 @@ inline bool is_opaque(const Material& material) {
   return refract && *refract == 0;
 }
 
+/// Whether it gives off light somewhere. Where a pattern says how much, it may.
+inline bool shines(const Material& material) {
+  const Color* emission = std::get_if<Color>(&material.emission);
+  return !emission || *emission != black;
+}
+
 } // namespace rt::scene

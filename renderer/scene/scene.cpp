@@ -127,18 +127,47 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Constraint stops{.min = -32, .max = 32};
   static constexpr Constraint pixels{.min = 1, .max = 65536, .is_whole = true};
   static constexpr Constraint depth{.min = 0, .max = 1000, .is_whole = true};
-  static constexpr Constraint count{.min = 1, .max = 65536, .is_whole = true};
+  static constexpr Constraint count{.min = 1, .max = most_samples, .is_whole = true};
+  static constexpr Constraint number{.min = 0, .max = std::numeric_limits<int>::max(), .is_whole = true};
+  static constexpr std::string_view modes[] = {"whitted", "path"};
+  static constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris"};
   static constexpr Field table[] = {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
       field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
       field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere, a number or a colour", not_negative}),
-      field<&Scene::max_depth>("max_depth", {"8", "how often a ray may be mirrored or refracted", depth}),
-      field<&Scene::samples>("samples", {"1", "rays for each pixel, a square number: a regular grid", count}),
+      field<&Scene::mode>(
+          "mode", {.default_text = "whitted",
+                   .help = "how light is followed: whitted, or path, with soft shadows and light between surfaces",
+                   .choices = modes}),
+      field<&Scene::max_depth>(
+          "max_depth", {"8", "how often a ray may be mirrored or refracted; in path, scattered at all (64)", depth}),
+      field<&Scene::samples>(
+          "samples", {"1", "rays for each pixel, a square number: a regular grid; in path, any number (64)", count}),
+      field<&Scene::noise>(
+          "noise",
+          {"none", "in path: goes on, up to `samples` (65536), until the picture is as quiet as this", positive}),
+      field<&Scene::seed>("seed", {"0", "in path: another seed makes another picture, as good", number}),
+      field<&Scene::filter>("filter", {.default_text = "blackman_harris",
+                                       .help = "in path: how pixels overlap (box: not at all)",
+                                       .choices = filters}),
       field<&Scene::exposure>("exposure", {"0", "stops by which pictures of 8 and 16 bits are brighter", stops}),
       field<&Scene::tone>("tone", {"clip", "what is too bright for them: clip makes it white, filmic rolls it off",
                                    any_value, 0, std::nullopt, tone_choices}),
   };
   return table;
+}
+
+int sample_count(const Settings& settings) {
+  const int otherwise = !settings.is_path() ? 1 : settings.noise ? most_samples : 64;
+  return settings.samples.value_or(otherwise);
+}
+
+int depth_limit(const Settings& settings) {
+  return settings.max_depth.value_or(settings.is_path() ? 64 : 8);
+}
+
+int whitted_samples(const Settings& settings) {
+  return settings.is_path() ? 1 : sample_count(settings);
 }
 
 ToneMapping tone_mapping(const Scene& scene) {
@@ -152,7 +181,7 @@ std::optional<int> sample_grid(int samples) {
 }
 
 std::optional<Problem> check(const Scene& scene) {
-  if (!sample_grid(scene.samples))
+  if (!sample_grid(whitted_samples(scene)))
     return Problem{"samples", "`samples` is a grid of n × n rays: write a square number (1, 4, 9, 16, …)"};
   return std::nullopt;
 }

@@ -7,23 +7,41 @@
 #include "renderer/scene/pattern.hpp"
 #include "renderer/scene/shapes.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace rt::scene {
 
-/// All that a scene file says, as plain data: what evaluation yields and the compiler, the exporter and `rtlang scene`
-/// read. Parameters stand as they were written; nothing is derived.
-struct Scene {
+/// How light is followed: by Whitted's formula, or by paths that solve the rendering equation.
+enum class Mode : std::uint8_t { whitted, path };
+
+/// How much of the light around a pixel counts for it in `Mode::path`, by its distance: evenly over the pixel, or a
+/// bell 1.5 pixels wide to each side.
+enum class PixelFilter : std::uint8_t { box, gaussian, blackman_harris };
+
+/// The properties of the scene itself. What depends on the mode and was not written is empty.
+struct Settings {
   Resolution size{800, 600};
   Color background = black;
   Color ambient = grey(0.1);
-  int max_depth = 8;
-  int samples = 1; ///< a square number
+  std::optional<int> max_depth;
+  std::optional<int> samples; ///< a square number in Whitted's mode
   // Absent where they are not written, so that the hash of a scene without them is what it was.
-  std::optional<double> exposure; ///< stops
+  std::optional<Mode> mode; ///< Whitted's
+  std::optional<double> noise;
+  std::optional<int> seed;           ///< 0
+  std::optional<PixelFilter> filter; ///< Blackman and Harris's
+  std::optional<double> exposure;    ///< stops
   std::optional<Tone> tone;
 
+  /// Whether paths are followed, and not Whitted's formula.
+  bool is_path() const { return mode == Mode::path; }
+};
+
+/// All that a scene file says, as plain data: what evaluation yields and the compiler, the exporter and `rtlang scene`
+/// read. Parameters stand as they were written; nothing is derived.
+struct Scene : Settings {
   Camera camera;
   Origin camera_origin;
   std::vector<Light> lights;
@@ -40,10 +58,19 @@ struct Scene {
 /// The side n of the grid of n × n samples in a pixel; nothing where `samples` is no square number.
 std::optional<int> sample_grid(int samples);
 
+inline constexpr int most_samples = 65536;
+
+/// How often each pixel is sampled, and how often a ray may be scattered, whatever was written.
+int sample_count(const Settings& settings);
+int depth_limit(const Settings& settings);
+/// Samples of the picture in Whitted's mode, which is what some questions are about: 1 where the scene's mode is
+/// another.
+int whitted_samples(const Settings& settings);
+
 /// How its pictures of 8 and 16 bits show its light.
 ToneMapping tone_mapping(const Scene&);
 
-/// The fields of the scene itself: size, background, ambient, max_depth, samples, exposure, tone.
+/// The fields of the scene itself: `Settings`.
 std::span<const Field> fields(const Scene*);
 std::optional<Problem> check(const Scene&);
 

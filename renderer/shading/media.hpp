@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rt {
@@ -35,7 +36,7 @@ public:
   const Medium* end(List list) const { return begin(list) + list.size; }
   double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
 
-  List make(const std::vector<Medium>& media) {
+  List make(std::span<const Medium> media) {
     const List list{mark(), static_cast<std::uint32_t>(media.size())};
     if (!media.empty()) storage_.insert(storage_.end(), media.begin(), media.end());
     return list;

@@ -71,4 +71,27 @@ bool contains(const BoxGeometry& box, const Vec3& point) {
          point.z > box.lower.z && point.z < box.upper.z;
 }
 
+double area(const BoxGeometry& box) {
+  const Vec3 size = box.upper - box.lower;
+  return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
+// u is a stack of the six faces, each as high as its share of the area.
+AreaPoint point_by_area(const BoxGeometry& box, double u, double v) {
+  const Vec3 size = box.upper - box.lower;
+  const Vec3 faces{size.y * size.z, size.z * size.x, size.x * size.y};
+  double rest = u * (faces.x + faces.y + faces.z);
+  std::size_t axis = 0;
+  while (axis < 2 && rest >= faces[axis]) rest -= faces[axis++];
+  const double within = std::min(rest / faces[axis], 1.0) * 2;
+  const bool is_upper = within >= 1;
+  Vec3 share;
+  share[axis] = is_upper ? 1 : 0;
+  share[(axis + 1) % 3] = is_upper ? within - 1 : within;
+  share[(axis + 2) % 3] = v;
+  Vec3 normal;
+  normal[axis] = is_upper ? 1 : -1;
+  return {box.lower + multiply(size, share), normal};
+}
+
 } // namespace rt

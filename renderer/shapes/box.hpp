@@ -36,6 +36,12 @@ constexpr bool is_solid(const BoxGeometry&) {
   return true;
 }
 
+inline const BoxGeometry& lamp_surface(const BoxGeometry& box) {
+  return box;
+}
+double area(const BoxGeometry& box);
+AreaPoint point_by_area(const BoxGeometry& box, double u, double v);
+
 /// Where a line enters and leaves a box, by Kay and Kajiya's slabs (Ray Tracing Complex Scenes, 1986). Part 2·axis is
 /// the lower face of an axis, 2·axis + 1 the upper one. A line that runs along a face or an edge counts as within.
 struct BoxSpan {

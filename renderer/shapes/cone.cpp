@@ -1,6 +1,8 @@
 #include "renderer/shapes/cone.hpp"
 
+#include "renderer/math/elementary.hpp"
 #include "renderer/math/rounding.hpp"
+#include "renderer/sampling/mappings.hpp"
 #include "renderer/shapes/disc.hpp"
 
 namespace rt::scene {
@@ -116,6 +118,26 @@ bool contains(const ConeGeometry& cone, const Vec3& point) {
   const Vec3 arm = cross(from_base, cone.axis);
   const double radius = cone.radius + cone.slope * height;
   return height > 0 && height < cone.height && dot(arm, arm) < radius * radius;
+}
+
+double area(const ConeGeometry& cone) {
+  const double run = cone.top_radius - cone.radius;
+  const double slant = std::sqrt(run * run + cone.height * cone.height);
+  return ends_area(cone.radius, cone.top_radius, cone.is_open) +
+         std::numbers::pi * (cone.radius + cone.top_radius) * slant;
+}
+
+AreaPoint point_by_area(const ConeGeometry& cone, double u, double v) {
+  double rest = u;
+  if (const auto end = point_of_ends(cone, {cone.radius, cone.top_radius}, cone.is_open, rest, v)) return *end;
+  // The area up to a height grows as the squared radius there.
+  const double a = cone.radius * cone.radius, b = cone.top_radius * cone.top_radius;
+  const double radius = std::sqrt(a + rest * (b - a)), run = cone.top_radius - cone.radius;
+  const double share = rest * (cone.radius + cone.top_radius) / (radius + cone.radius);
+  const SineCosine around = sine_cosine_of_turns(v);
+  const Vec3 outward = Frame(cone.axis).vector({around.cosine, around.sine, 0});
+  return {cone.base + cone.axis * (share * cone.height) + outward * radius,
+          normalize(outward * cone.height - cone.axis * run)};
 }
 
 } // namespace rt

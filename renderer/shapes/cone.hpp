@@ -47,6 +47,12 @@ constexpr bool is_solid(const ConeGeometry& cone) {
   return !cone.is_open;
 }
 
+inline const ConeGeometry& lamp_surface(const ConeGeometry& cone) {
+  return cone;
+}
+double area(const ConeGeometry& cone);
+AreaPoint point_by_area(const ConeGeometry& cone, double u, double v);
+
 /// The stretch of a line within the cone's side, as if that went on without end, on the nappe that the ends cut from
 /// the double cone; between the planes of the ends nothing of the other nappe counts.
 ///

@@ -1,6 +1,8 @@
 #include "renderer/shapes/cylinder.hpp"
 
+#include "renderer/math/elementary.hpp"
 #include "renderer/math/rounding.hpp"
+#include "renderer/sampling/mappings.hpp"
 #include "renderer/shapes/disc.hpp"
 
 namespace rt::scene {
@@ -92,6 +94,21 @@ bool contains(const CylinderGeometry& cylinder, const Vec3& point) {
   const Vec3 arm = cross(from_base, cylinder.axis);
   if (dot(arm, arm) >= cylinder.radius * cylinder.radius) return false;
   return cylinder.extent == CylinderGeometry::Extent::infinite || (height > 0 && height < cylinder.height);
+}
+
+double area(const CylinderGeometry& cylinder) {
+  if (cylinder.extent == CylinderGeometry::Extent::infinite) return std::numeric_limits<double>::infinity();
+  return ends_area(cylinder.radius, cylinder.radius, !is_solid(cylinder)) +
+         2 * std::numbers::pi * cylinder.radius * cylinder.height;
+}
+
+AreaPoint point_by_area(const CylinderGeometry& cylinder, double u, double v) {
+  double rest = u;
+  if (const auto end = point_of_ends(cylinder, {cylinder.radius, cylinder.radius}, !is_solid(cylinder), rest, v))
+    return *end;
+  const SineCosine around = sine_cosine_of_turns(v);
+  const Vec3 outward = Frame(cylinder.axis).vector({around.cosine, around.sine, 0});
+  return {cylinder.base + cylinder.axis * (rest * cylinder.height) + outward * cylinder.radius, outward};
 }
 
 } // namespace rt

@@ -47,6 +47,12 @@ constexpr bool is_solid(const CylinderGeometry& cylinder) {
   return cylinder.extent != CylinderGeometry::Extent::open;
 }
 
+inline const CylinderGeometry& lamp_surface(const CylinderGeometry& cylinder) {
+  return cylinder;
+}
+double area(const CylinderGeometry& cylinder);
+AreaPoint point_by_area(const CylinderGeometry& cylinder, double u, double v);
+
 /// The stretch of a line within the cylinder's side, as if that had no ends: in the plane across the axis, a circle's
 /// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius. Its discriminant comes from
 /// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, which does not cancel; but

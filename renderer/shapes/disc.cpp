@@ -1,6 +1,10 @@
 #include "renderer/shapes/disc.hpp"
 
 #include "renderer/math/rounding.hpp"
+#include "renderer/sampling/mappings.hpp"
+
+#include <cmath>
+#include <numbers>
 
 namespace rt::scene {
 
@@ -49,6 +53,18 @@ Box3 bounds(const DiscGeometry& disc, const Affine& map) {
 SurfacePoint surface_point(const DiscGeometry& disc, const Ray& ray, const Hit& hit) {
   const Vec3 from_center = reject(relative_point(ray, hit, disc.center), disc.normal);
   return {disc.center + from_center, disc.normal, rounding_bound(16) * (magnitude(disc.center) + disc.radius)};
+}
+
+double area(const DiscGeometry& disc) {
+  return std::numbers::pi * (disc.radius * disc.radius - disc.hole * disc.hole);
+}
+
+// Rings of the whole disc, pressed outwards to leave the hole.
+AreaPoint point_by_area(const DiscGeometry& disc, double u, double v) {
+  const Vec2 d = to_disc(u, v);
+  const double r2 = disc.radius * disc.radius, hole2 = disc.hole * disc.hole, whole = d.x * d.x + d.y * d.y;
+  const double stretch = hole2 == 0 ? disc.radius : std::sqrt((hole2 + (r2 - hole2) * whole) / whole);
+  return {disc.center + Frame(disc.normal).vector({d.x * stretch, d.y * stretch, 0}), disc.normal};
 }
 
 } // namespace rt

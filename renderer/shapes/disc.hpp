@@ -38,6 +38,12 @@ constexpr bool is_solid(const DiscGeometry&) {
   return false;
 }
 
+inline const DiscGeometry& lamp_surface(const DiscGeometry& disc) {
+  return disc;
+}
+double area(const DiscGeometry& disc);
+AreaPoint point_by_area(const DiscGeometry& disc, double u, double v);
+
 inline bool intersect(const DiscGeometry& disc, const Ray& ray, const Interval& range, Hit& hit) {
   const double approach = dot(disc.normal, ray.direction);
   if (approach == 0) return false;

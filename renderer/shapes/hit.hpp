@@ -22,6 +22,12 @@
 ///     Crossings crossings(const G&, const Ray&);             // of the whole line; or another range of hits: see there
 ///     bool contains(const G&, const Vec3&);
 ///
+/// and for what can be a lamp whose points are drawn
+///
+///     L lamp_surface(const G&);                              // G itself, or something around it
+///     double area(const L&);                                 // of all its surfaces; maybe infinite
+///     AreaPoint point_by_area(const L&, double u, double v); // all points alike, for u and v that are spread evenly
+///
 /// A crossing's t depends on the ray and the shape alone, never on the interval: raising `lower` to the last t leads on
 /// to the next crossing; `lower` is never negative. A ray that only touches a curved surface meets it; one that runs
 /// within a flat face or along a straight line of a curved one does not meet that surface. Directions are not zero.
@@ -54,6 +60,12 @@ struct SurfacePoint {
   Vec3 position;
   Vec3 normal; ///< unit, outward (away from the solid side); geometric, not turned to the viewer
   double error = 0;
+};
+
+/// A point that was drawn from a surface.
+struct AreaPoint {
+  Vec3 position;
+  Vec3 normal; ///< unit, geometric
 };
 
 /// The point in the scene's space of a shape that stands there by `to_scene`; `to_local` is the inverse. The error

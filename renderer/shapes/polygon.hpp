@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/fields/field.hpp"
+#include "renderer/shapes/flat/parallelogram.hpp"
 #include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
@@ -32,6 +33,9 @@ Box3 bounds(const PolygonGeometry& polygon, const Affine& map = {});
 SurfacePoint surface_point(const PolygonGeometry& polygon, const Ray& ray, const Hit& hit);
 constexpr bool is_solid(const PolygonGeometry&) {
   return false;
+}
+inline Parallelogram lamp_surface(const PolygonGeometry& polygon) {
+  return parallelogram_around(polygon.points, polygon.normal);
 }
 bool intersect(const PolygonGeometry& polygon, const Ray& ray, const Interval& range, Hit& hit);
 

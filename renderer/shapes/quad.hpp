@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/fields/field.hpp"
+#include "renderer/shapes/flat/parallelogram.hpp"
 #include "renderer/shapes/hit.hpp"
 
 namespace rt::scene {
@@ -39,6 +40,9 @@ Box3 bounds(const QuadGeometry& quad, const Affine& map = {});
 SurfacePoint surface_point(const QuadGeometry& quad, const Ray& ray, const Hit& hit);
 constexpr bool is_solid(const QuadGeometry&) {
   return false;
+}
+inline Parallelogram lamp_surface(const QuadGeometry& quad) {
+  return parallelogram_around(quad.points, quad.normal);
 }
 bool intersect(const QuadGeometry& quad, const Ray& ray, const Interval& range, Hit& hit);
 

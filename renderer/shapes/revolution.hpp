@@ -1,8 +1,11 @@
 #pragma once
 
+#include "renderer/sampling/mappings.hpp"
 #include "renderer/shapes/hit.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 /// What cylinders and cones share: they turn about an axis and end at two planes across it.
 namespace rt {
@@ -78,6 +81,28 @@ inline Crossings crossings_of(const AxialRay& ray, const AxisRange& inside) {
   Crossings found;
   if (inside.enter.t < inside.leave.t) found.add(ray.restored(inside.enter), ray.restored(inside.leave));
   return found;
+}
+
+/// The area of the discs that close it, none where it is open.
+double ends_area(double base_radius, double top_radius, bool is_open);
+
+/// Draws from the whole surface of a cylinder or cone with these radii at base and top: `u` is a stack of base, top and
+/// side, each as high as its share of the area. Nothing where the side's turn is; then `u` is 0 to 1 within the side.
+template <class G>
+std::optional<AreaPoint> point_of_ends(const G& shape, const std::array<double, 2>& radii, bool is_open, double& u,
+                                       double v) {
+  const double whole = area(shape), ends = ends_area(radii[0], radii[1], is_open) / whole;
+  if (u >= ends) {
+    u = std::min((u - ends) / (1 - ends), 1.0);
+    return std::nullopt;
+  }
+  const double base = ends_area(radii[0], 0, is_open) / whole;
+  const bool is_base = u < base;
+  const double within = is_base ? u / base : (u - base) / (ends - base);
+  const Vec2 d = to_disc(std::min(within, 1.0), v);
+  const Vec3 across = Frame(shape.axis).vector({d.x, d.y, 0});
+  if (is_base) return AreaPoint{shape.base + across * radii[0], -shape.axis};
+  return AreaPoint{shape.base + shape.axis * shape.height + across * radii[1], shape.axis};
 }
 
 /// The unit vector from the axis to a point, perpendicular to the axis to full precision; zero where the point is on

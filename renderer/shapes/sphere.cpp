@@ -1,5 +1,9 @@
 #include "renderer/shapes/sphere.hpp"
 
+#include "renderer/sampling/mappings.hpp"
+
+#include <numbers>
+
 namespace rt::scene {
 
 std::span<const Field> fields(const Sphere*) {
@@ -49,6 +53,15 @@ Crossings crossings(const SphereGeometry& sphere, const Ray& ray) {
 bool contains(const SphereGeometry& sphere, const Vec3& point) {
   const Vec3 v = point - sphere.center;
   return dot(v, v) < sphere.radius * sphere.radius;
+}
+
+double area(const SphereGeometry& sphere) {
+  return 4 * std::numbers::pi * sphere.radius * sphere.radius;
+}
+
+AreaPoint point_by_area(const SphereGeometry& sphere, double u, double v) {
+  const Vec3 normal = to_sphere(u, v);
+  return {sphere.center + normal * sphere.radius, normal};
 }
 
 } // namespace rt

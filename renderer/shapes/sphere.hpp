@@ -44,6 +44,12 @@ constexpr bool is_solid(const SphereGeometry&) {
   return true;
 }
 
+inline const SphereGeometry& lamp_surface(const SphereGeometry& sphere) {
+  return sphere;
+}
+double area(const SphereGeometry& sphere);
+AreaPoint point_by_area(const SphereGeometry& sphere, double u, double v);
+
 /// The line's way through the ball is a chord about the point nearest to the centre. Half of it follows from that
 /// point's distance, which keeps its precision for far origins (Haines, Günther and Akenine-Möller, Precision
 /// Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019); the root that would cancel follows from the

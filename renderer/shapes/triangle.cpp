@@ -1,5 +1,6 @@
 #include "renderer/shapes/triangle.hpp"
 
+#include "renderer/sampling/mappings.hpp"
 #include "renderer/shapes/flat/outline.hpp"
 
 #include <fmt/format.h>
@@ -71,6 +72,17 @@ Vec3 InterpolatedNormal::value(const Vec3& geometric_normal) const {
 
 InterpolatedNormal interpolated_normal(const SmoothTriangleGeometry& triangle, const Vec3& point) {
   return {barycentric(triangle, point), triangle.normals};
+}
+
+double area(const TriangleGeometry& triangle) {
+  const auto& [a, b, c] = triangle.points;
+  return length(cross(b - a, c - a)) / 2;
+}
+
+AreaPoint point_by_area(const TriangleGeometry& triangle, double u, double v) {
+  const auto& [a, b, c] = triangle.points;
+  const Vec3 weights = to_triangle(u, v);
+  return {a * weights.x + b * weights.y + c * weights.z, normalize(cross(b - a, c - a))};
 }
 
 } // namespace rt

@@ -39,6 +39,12 @@ constexpr bool is_solid(const TriangleGeometry&) {
   return false;
 }
 
+inline const TriangleGeometry& lamp_surface(const TriangleGeometry& triangle) {
+  return triangle;
+}
+double area(const TriangleGeometry& triangle);
+AreaPoint point_by_area(const TriangleGeometry& triangle, double u, double v);
+
 /// The weights of the corners at a point of the triangle's plane; their sum is 1.
 Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point);
 

@@ -1,7 +1,12 @@
 #include "tools/explain/observer.hpp"
 
+#include "renderer/render/estimate.hpp"
+#include "renderer/render/pixel_filter.hpp"
 #include "renderer/render/ray_query.hpp"
+#include "renderer/render/render.hpp"
 #include "tools/explain/naming.hpp"
+
+#include <optional>
 
 namespace rt::tools::explain {
 namespace {
@@ -26,11 +31,40 @@ public:
     return t;
   }
 
-  Color pixel_color(int x, int y) const override { return query_.pixel(x, y); }
+  bool estimates() const override { return scene_.is_path(); }
+
+  lang::LightAnswer pixel_color(int x, int y, double precision) const override {
+    if (!estimates()) return {query_.pixel(x, y)};
+    const FilterSampler filter(view_of(scene_).filter);
+    return answer(
+        estimator().radiance(
+            [&](const SampleStream& stream) { return sample_ray(query_.camera(), filter, stream, x, y); }, precision),
+        precision);
+  }
+
+  lang::LightAnswer radiance(const Ray& ray, double precision) const override {
+    if (!estimates()) return {query_.radiance(ray)};
+    const Ray traced = RayQuery::unit(ray);
+    return answer(estimator().radiance([&](const SampleStream&) { return traced; }, precision), precision);
+  }
+
+  lang::LightAnswer irradiance(const Vec3& point, const Vec3& normal, double precision) const override {
+    return answer(estimator().irradiance(point, normalize(normal), precision), precision);
+  }
 
 private:
+  const Estimator& estimator() const {
+    if (!estimator_) estimator_.emplace(query_.scene());
+    return *estimator_;
+  }
+
+  static lang::LightAnswer answer(const Estimate& found, double precision) {
+    return {found.mean, found.error, found.samples, Estimator::safety * found.error <= precision};
+  }
+
   const scene::Scene& scene_;
   RayQuery query_;
+  mutable std::optional<Estimator> estimator_; // made when it is first needed
 };
 
 } // namespace

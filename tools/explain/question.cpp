@@ -14,11 +14,11 @@ NamedRay pixel_ray(const Question& q, const scene::Scene& scene, const CameraRay
     throw QuestionError(
         fmt::format("pixel {},{} is outside the picture of {}×{} pixels", x, y, scene.size[0], scene.size[1]));
   if (!q.sample) return {camera.ray(x + 0.5, y + 0.5), fmt::format("pixel ({}, {})", x, y)};
-  if (*q.sample < 0 || *q.sample >= scene.samples)
+  const int samples = scene::whitted_samples(scene);
+  if (*q.sample < 0 || *q.sample >= samples)
     throw QuestionError(
-        fmt::format("the pixel has {} samples, numbered from 0: there is no sample {}", scene.samples, *q.sample));
-  return {camera.ray({x, y}, Sampler(scene.samples), *q.sample),
-          fmt::format("sample {} of pixel ({}, {})", *q.sample, x, y)};
+        fmt::format("the pixel has {} samples, numbered from 0: there is no sample {}", samples, *q.sample));
+  return {camera.ray({x, y}, Sampler(samples), *q.sample), fmt::format("sample {} of pixel ({}, {})", *q.sample, x, y)};
 }
 
 NamedRay point_ray(const Question& q, const scene::Scene& scene, const CameraRays& camera) {

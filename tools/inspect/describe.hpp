@@ -22,7 +22,10 @@ public:
 
   void scene() {
     sink_.begin_object();
-    fields(scene::fields(&scene_), &scene_);
+    scene::Settings settings = scene_;
+    settings.max_depth = scene::depth_limit(scene_);
+    settings.samples = scene::sample_count(scene_);
+    fields(scene::fields(&scene_), &settings);
     sink_.key("camera");
     sink_.begin_object();
     fields(scene::fields(&scene_.camera), &scene_.camera);

@@ -13,8 +13,9 @@ _rtlang() {
     --format) words='png exr ppm pfm' ;;
     --bits) words='8 16' ;;
     --stats) words='json' ;;
+    --mode) words='whitted path' ;;
     --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed) return ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --time | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')
@@ -34,7 +35,7 @@ _rtlang() {
   case $previous in
     -o | --output | --report) COMPREPLY+=($(compgen -f -- "$word")) ;;
     --include-root) COMPREPLY+=($(compgen -d -- "$word")) ;;
-    --diagnostics | --format | --bits | --allow) ;;
+    --diagnostics | --format | --bits | --mode | --allow) ;;
     *) COMPREPLY+=($(compgen -f -- "$word" | grep -E '\.(rtl|png|exr|ppm|pgm|pfm)$') $(compgen -d -- "$word")) ;;
   esac
 }

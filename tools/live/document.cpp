@@ -17,7 +17,11 @@ const RayQuery& Document::query() {
 }
 
 Rendered Document::render(const RenderOptions& options) {
-  return rt::render(query().scene(), {scene().camera, scene().size, scene().samples}, options);
+  return rt::render(query().scene(), view_of(scene()), options);
+}
+
+Rendered Document::render_whitted(const RenderOptions& options) {
+  return rt::render(query().scene(), whitted_view_of(scene()), options);
 }
 
 std::string Document::probe(const explain::Question& question, const ProbeOptions& options) {

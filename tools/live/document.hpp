@@ -40,6 +40,8 @@ public:
 
   /// The same bytes as a picture of the file.
   Rendered render(const RenderOptions& options);
+  /// In Whitted's mode, whatever the scene says.
+  Rendered render_whitted(const RenderOptions& options);
 
   // Answers end in a line break. They throw explain::QuestionError for a question that makes no sense.
   std::string probe(const explain::Question& question, const ProbeOptions& options);

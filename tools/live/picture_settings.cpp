@@ -1,6 +1,7 @@
 #include "tools/live/picture_settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,25 +9,31 @@
 namespace rt::tools::live {
 namespace {
 
+const scene::Field& field_of(std::string_view name) {
+  const auto table = scene::fields(static_cast<const scene::Scene*>(nullptr));
+  return *std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == name; });
+}
+
 // Why the numbers are not allowed for a field of the scene's; "" where they are.
 std::string check_field(std::string_view name, const std::vector<int>& numbers) {
-  scene::Scene scene;
-  const auto table = scene::fields(&scene);
-  const auto field = std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == name; });
-  const scene::Constraint& constraint = field->constraint;
+  const scene::Constraint& constraint = field_of(name).constraint;
   for (const int number : numbers) {
     if (number < constraint.min || number > constraint.max)
       return fmt::format("takes whole numbers from {:.0f} to {:.0f}, not {}", constraint.min, constraint.max, number);
   }
-  if (field->type == scene::FieldType::resolution) return "";
-  field->set(&scene, static_cast<double>(numbers[0]));
-  const auto problem = check(scene);
-  return problem ? fmt::format("cannot be {}: {}", numbers[0], problem->message) : "";
+  return "";
 }
 
 } // namespace
 
 std::string PictureSettings::set(std::string_view field, std::string_view text) {
+  if (field == "mode") {
+    const auto choices = field_of(field).choices;
+    const auto choice = std::find(choices.begin(), choices.end(), text);
+    if (choice == choices.end()) return fmt::format("takes one of {}, not `{}`", fmt::join(choices, ", "), text);
+    mode = static_cast<scene::Mode>(choice - choices.begin());
+    return "";
+  }
   const bool is_size = field == "size";
   const auto numbers = is_size ? parse_numbers(text, 'x', 2) : parse_numbers(text, ',', 1);
   if (!numbers)
@@ -36,14 +43,20 @@ std::string PictureSettings::set(std::string_view field, std::string_view text) 
   if (is_size)
     size = {(*numbers)[0], (*numbers)[1]};
   else
-    (field == "samples" ? samples : max_depth) = numbers->front();
+    (field == "samples" ? samples : field == "seed" ? seed : max_depth) = numbers->front();
   return "";
 }
 
 void PictureSettings::apply_to(scene::Scene& scene) const {
+  if (mode && (*mode == scene::Mode::path) != scene.is_path()) scene.samples = scene.max_depth = std::nullopt;
+  if (mode) scene.mode = mode;
   scene.size = size.value_or(scene.size);
-  scene.samples = samples.value_or(scene.samples);
-  scene.max_depth = max_depth.value_or(scene.max_depth);
+  if (seed) scene.seed = seed;
+  if (samples) scene.samples = samples;
+  if (max_depth) scene.max_depth = max_depth;
+  if (const auto problem = check(scene))
+    throw SettingsError(
+        fmt::format("--{} cannot be {}: {}", problem->field, scene::sample_count(scene), problem->message));
 }
 
 std::optional<std::vector<int>> parse_numbers(std::string_view text, char separator, std::size_t count) {

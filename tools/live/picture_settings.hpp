@@ -3,20 +3,29 @@
 #include "renderer/scene/scene.hpp"
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rt::tools::live {
 
+/// Settings that a scene cannot have; the message says which and why.
+struct SettingsError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// What overrides the scene's own settings for a picture.
 struct PictureSettings {
-  std::optional<scene::Resolution> size;
-  std::optional<int> samples, max_depth;
+  std::optional<scene::Resolution> size = {};
+  std::optional<int> samples = {}, max_depth = {}, seed = {};
+  std::optional<scene::Mode> mode = {};
 
-  /// Reads one of them, named like the scene's field: "800x600" for `size`, "16" for `samples` and `max_depth`. Returns
-  /// what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), "" if it was set.
+  /// Reads one of them, named like the scene's field: "800x600" for `size`, "path" for `mode`, "16" for the others.
+  /// Returns what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), "" if it was set.
   std::string set(std::string_view field, std::string_view text);
+  /// Where the mode becomes another, `samples` and `max_depth` of the scene, which were written for its own, count no
+  /// more. Throws SettingsError for what does not go together.
   void apply_to(scene::Scene& scene) const;
 
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;

@@ -59,7 +59,7 @@ std::unique_ptr<const Check> check(Document& document, const CheckOptions& optio
   ours.layers = true;
   ours.stop = options.stop;
   ours.on_progress = options.on_progress;
-  check->film = document.render(ours).film;
+  check->film = document.render_whitted(ours).film;
   report.render_seconds = seconds_since(start);
   while (theirs.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready)
     if (options.on_wait) options.on_wait(seconds_since(start));

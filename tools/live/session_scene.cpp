@@ -20,11 +20,10 @@ const CompiledScene& SessionScene::compiled() {
 }
 
 Rendered SessionScene::render(const PictureSettings& settings, const RenderOptions& options) {
-  const scene::Scene& scene = session_.scene();
-  return rt::render(compiled(),
-                    {scene.camera, settings.size.value_or(scene.size), settings.samples.value_or(scene.samples),
-                     scene::tone_mapping(scene)},
-                    options);
+  View view = view_of(session_.scene());
+  view.size = settings.size.value_or(view.size);
+  view.samples = settings.samples.value_or(view.samples);
+  return rt::render(compiled(), view, options);
 }
 
 Document& SessionScene::document(const PictureSettings& settings) {

@@ -26,7 +26,7 @@ bool show(Shell& shell, std::string_view) {
   const InterruptScope interrupt;
   RenderOptions options;
   options.stop = &interrupt.stop();
-  const Rendered rendered = shell.scene().render({scene::Resolution{extent.width, extent.height}, {}, {}}, options);
+  const Rendered rendered = shell.scene().render({.size = scene::Resolution{extent.width, extent.height}}, options);
   if (!rendered.is_complete) return shell.fail("stopped");
   shell.report_assumptions();
   shell.print(shell.printer().print(rendered.film, extent));
@@ -94,6 +94,8 @@ bool render(Shell& shell, std::string_view arguments) {
         "\n");
   } catch (const std::system_error& error) {
     return shell.fail(error.what());
+  } catch (const live::SettingsError& error) {
+    return shell.fail(error.what());
   }
   return true;
 }
@@ -111,7 +113,7 @@ bool set_auto(Shell& shell, std::string_view arguments) {
 std::span<const ShellCommand> picture_commands() {
   static constexpr ShellCommand table[] = {
       {"show", "", "shows the picture in the terminal", ArgumentKind::none, show},
-      {"render", "FILE", "renders to a file; --size WxH, --samples N", ArgumentKind::file, render},
+      {"render", "FILE", "renders to a file; --size WxH, --mode path, --samples N", ArgumentKind::file, render},
       {"auto", "on|off", "turns previews after each change on or off", ArgumentKind::none, set_auto},
   };
   return table;

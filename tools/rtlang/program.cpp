@@ -2,6 +2,7 @@
 
 #include "lang/text/suggest.hpp"
 #include "tools/explain/question.hpp"
+#include "tools/live/picture_settings.hpp"
 #include "tools/rtlang/help.hpp"
 #include "tools/terminal/console.hpp"
 #include "tools/terminal/exit_code.hpp"
@@ -109,6 +110,8 @@ int run_subcommand(const Subcommand& subcommand, std::vector<std::string> argume
   } catch (const CLI::ParseError& error) {
     return usage_error(as_sentence(error.what()), name_given);
   } catch (const UsageError& error) {
+    return usage_error(error.what(), name_given);
+  } catch (const live::SettingsError& error) {
     return usage_error(error.what(), name_given);
   } catch (const explain::QuestionError& error) {
     return usage_error(error.what(), name_given);

@@ -157,13 +157,16 @@ lang::Loaded load(const SceneArguments& arguments) {
 std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
   auto settings = std::make_shared<live::PictureSettings>();
   const auto add = [&](const std::string& option, const char* field, const char* type, const char* text) {
-    app.add_option_function<std::string>(
-           option, [settings = settings.get(), field](const std::string& value) { settings->set(field, value); }, text)
+    return app
+        .add_option_function<std::string>(
+            option, [settings = settings.get(), field](const std::string& value) { settings->set(field, value); }, text)
         ->type_name(type)
         ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
   };
   add("--size", "size", "WxH", "overrides the scene's width and height");
-  add("--samples", "samples", "N", "rays per pixel, a square number");
+  add("--mode", "mode", "NAME", "whitted, or path: soft shadows and light between surfaces");
+  add("--samples", "samples", "N", "rays per pixel: a square number, any in path");
+  add("--seed", "seed", "N", "in path: another picture, as good")->group(further_options);
   add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
   return settings;
 }

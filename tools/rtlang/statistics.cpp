@@ -42,6 +42,12 @@ std::string seconds(double value) {
   return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1);
 }
 
+// ", 256 samples, noise 0.0087"; nothing in Whitted's mode.
+std::string quality(const RunStatistics& s) {
+  if (!s.render.noise) return "";
+  return fmt::format(", {} samples, noise {:.2g}", human(s.render.samples), *s.render.noise);
+}
+
 } // namespace
 
 std::uint64_t count_rays(const RenderStatistics& s) {
@@ -49,9 +55,9 @@ std::uint64_t count_rays(const RenderStatistics& s) {
 }
 
 std::string summary(const RunStatistics& s) {
-  return fmt::format("{}: {}×{}{}, {}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
+  return fmt::format("{}: {}×{}{}, {}{}, {} rays in {} ({}/s), all in {}\n", fmt::join(s.outputs, ", "), s.width,
                      s.height, s.is_complete ? "" : ", incomplete", counted(s.render.primitives, "primitive"),
-                     human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
+                     quality(s), human(static_cast<double>(count_rays(s.render))), seconds(s.render.trace_seconds),
                      human(rays_per_second(s.render)), seconds(s.total_seconds));
 }
 
@@ -65,10 +71,12 @@ std::string table(const RunStatistics& s) {
   };
   row("scene", fmt::format("{} (hash {}), {}", s.scene, s.scene_hash, counted(r.primitives, "primitive")));
   row("picture", fmt::format("{}×{}{}, {} per pixel: {}", s.width, s.height, s.is_complete ? "" : " (incomplete)",
-                             counted(static_cast<std::uint64_t>(s.samples), "sample"), fmt::join(s.outputs, ", ")));
-  row("rays",
-      fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted", count(count_rays(r)),
-                  count(r.rays.camera), count(r.rays.shadow), count(r.rays.reflected), count(r.rays.refracted)));
+                             human(s.render.samples) + (s.render.samples == 1 ? " sample" : " samples"),
+                             fmt::join(s.outputs, ", ")));
+  if (r.noise) row("noise", fmt::format("{:.2g} of full scale in the noisiest part", *r.noise));
+  row("rays", fmt::format("{}: {} from the camera, {} to lights, {} reflected, {} refracted{}", count(count_rays(r)),
+                          count(r.rays.camera), count(r.rays.shadow), count(r.rays.reflected), count(r.rays.refracted),
+                          r.rays.scattered == 0 ? "" : fmt::format(", {} scattered", count(r.rays.scattered))));
   row("speed", fmt::format("{} rays/s on {}", human(rays_per_second(r)),
                            counted(static_cast<std::uint64_t>(r.threads), "thread")));
   row("load", fmt::format("{}: parse {}, check {}, evaluate {} ({} of text, {} steps)", seconds(s.load_seconds),
@@ -92,15 +100,13 @@ std::string json(const RunStatistics& s) {
   j["outputs"] = s.outputs;
   j["width"] = s.width;
   j["height"] = s.height;
-  j["samples"] = s.samples;
+  j["samples"] = s.render.samples;
+  if (s.render.noise) j["noise"] = *s.render.noise;
   j["is_complete"] = s.is_complete;
   j["primitives"] = r.primitives;
   j["threads"] = r.threads;
-  j["rays"] = {{"camera", r.rays.camera},
-               {"shadow", r.rays.shadow},
-               {"reflected", r.rays.reflected},
-               {"refracted", r.rays.refracted},
-               {"total", count_rays(r)}};
+  j["rays"] = {{"camera", r.rays.camera},       {"shadow", r.rays.shadow},       {"reflected", r.rays.reflected},
+               {"refracted", r.rays.refracted}, {"scattered", r.rays.scattered}, {"total", count_rays(r)}};
   j["rays_per_second"] = rays_per_second(r);
   j["source_bytes"] = s.load.bytes;
   j["steps"] = s.load.steps;

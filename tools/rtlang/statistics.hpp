@@ -13,7 +13,6 @@ struct RunStatistics {
   std::string scene;                ///< the scene's file as given
   std::vector<std::string> outputs; ///< as given, "-" for standard output
   int width = 0, height = 0;        ///< of the picture that was written
-  int samples = 1;
   std::string scene_hash;
   bool is_complete = true;
   lang::LoadStatistics load;

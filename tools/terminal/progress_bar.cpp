@@ -28,6 +28,8 @@ std::string progress_line(const Progress& progress) {
                                  std::floor(fraction * 100));
   if (progress.seconds > 0)
     line += fmt::format("  {} rays/s", human(static_cast<double>(progress.rays) / progress.seconds));
+  if (progress.samples > 0) line += fmt::format("  {} samples", progress.samples);
+  if (progress.noise) line += fmt::format(", noise {:.2g}", *progress.noise);
   if (fraction > 0) line += fmt::format("  {} left", duration(progress.seconds * (1 - fraction) / fraction));
   return line;
 }

@@ -49,7 +49,6 @@ constexpr ForeignName names[] = {
     {"AreaLight", "a lamp is a point here: write `light { at: … }`, or several of them"},
     {"RectAreaLight", "a lamp is a point here: write `light { at: … }`, or several of them"},
     {"lamp", "write `light { at: …, color: … }`"},
-    {"sky", "write `background: skyblue` at the top level"},
     {"sky_sphere", "write `background: skyblue` at the top level"},
     {"skybox", "write `background: skyblue` at the top level"},
     {"environment", "write `background: skyblue` at the top level"},

@@ -166,6 +166,10 @@ void ArgumentList::spend(std::uint64_t steps, std::uint64_t bytes) {
   if (bytes > 0) evaluation_.limits.reserve(bytes, place_);
 }
 
+std::optional<double> ArgumentList::precision() {
+  return things_.precision();
+}
+
 const Observer* ArgumentList::observer(std::optional<std::size_t> alone) {
   if (!alone || !has(*alone)) return things_.observer();
   return things_.observer_of(arguments[*alone], place_of(*alone));

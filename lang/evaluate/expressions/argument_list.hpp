@@ -28,6 +28,7 @@ public:
   void print(std::string text) override;
   void spend(std::uint64_t steps, std::uint64_t bytes) override;
   const Observer* observer(std::optional<std::size_t> alone) override;
+  std::optional<double> precision() override;
   const scene::Scene& scene() override;
 
 private:

@@ -24,6 +24,7 @@ public:
   virtual Value declared_value(NodeId item, const Context& context) = 0;
   /// Who looks at the scene, or at a thing alone; null after a mistake.
   virtual const Observer* observer() = 0;
+  virtual std::optional<double> precision() const = 0;
   virtual const Observer* observer_of(const Value& thing, Span place) = 0;
 
 protected:

@@ -64,6 +64,8 @@ public:
   std::uint32_t size() const { return static_cast<std::uint32_t>(shapes_.size()); }
   Box3 bounds(std::uint32_t i) const { return shapes_[i].box(); }
   LeafTag tag(std::uint32_t i) const { return tags_[i]; }
+  std::uint32_t shape_count() const { return size(); }
+  const Placed& shape(std::uint32_t i) const { return shapes_[i]; }
   void reserve(std::size_t count) { shapes_.reserve(count), tags_.reserve(count); }
   void add(Placed shape, LeafTag tag) { shapes_.push_back(std::move(shape)), tags_.push_back(tag); }
 

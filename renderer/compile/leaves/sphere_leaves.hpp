@@ -16,6 +16,10 @@ public:
   std::uint32_t size() const { return static_cast<std::uint32_t>(packs_.size()); }
   Box3 bounds(std::uint32_t i) const;
   LeafTag tag(std::uint32_t sphere) const { return tags_[sphere]; }
+  std::uint32_t shape_count() const { return static_cast<std::uint32_t>(tags_.size()); }
+  Baked<SphereGeometry> shape(std::uint32_t sphere) const {
+    return {packs_[sphere / SpherePack::size].sphere(sphere % SpherePack::size)};
+  }
   void reserve(std::size_t count) { added_.reserve(count); }
   void add(const Baked<SphereGeometry>& placed, LeafTag tag) { added_.push_back({placed.shape, tag}); }
   /// Makes leaves of what was added.

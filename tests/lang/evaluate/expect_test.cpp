@@ -37,19 +37,26 @@ std::string first_error(const std::string& text) {
   return "";
 }
 
+std::string first_message(const std::string& text) {
+  for (const Diagnostic& d : tried(text).diagnostics) {
+    if (d.severity == Severity::error) return d.message;
+  }
+  return "";
+}
+
 // A ball of radius 1 seen from 10 in front of it, in the middle of 5 × 5 pixels.
 const std::string one_ball = "size: [5, 5]\ncamera { at: [0, 0, 10], look_at: [0, 0, 0], fov: 20 }\n"
                              "ball = sphere {}\nball\n";
 
 } // namespace
 
-TEST_CASE("expect: the exercises hold") {
+// Of how many scenes in a folder all expectations hold.
+std::size_t scenes_that_hold(const std::string& folder) {
   std::size_t scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(RTLANG_SOURCE_DIR "/examples/exercises")) {
+  for (const auto& entry : std::filesystem::directory_iterator(RTLANG_SOURCE_DIR "/" + folder)) {
     LoadOptions options;
     options.observe = tools::explain::tracing_observer();
     const Loaded loaded = load_file(entry.path().string(), options);
-    ++scenes;
     for (const Diagnostic& d : loaded.diagnostics) {
       if (d.severity == Severity::error) UNSCOPED_INFO(render(d, loaded.sources, false));
     }
@@ -58,8 +65,27 @@ TEST_CASE("expect: the exercises hold") {
     CHECK(loaded.scene);
     CHECK(loaded.expectations.failed == 0);
     CHECK(loaded.expectations.passed > 0);
+    ++scenes;
   }
-  CHECK(scenes == 13);
+  return scenes;
+}
+
+TEST_CASE("expect: the exercises hold") {
+  CHECK(scenes_that_hold("examples/exercises") == 13);
+}
+
+// Each number is from a closed form or a quadrature. The estimates are the same each time; with four standard errors
+// within the tolerance, one of 16,000 would fail with other seeds.
+TEST_CASE("expect: light is what closed forms say") {
+  CHECK(scenes_that_hold("tests/light") == 7);
+}
+
+TEST_CASE("expect: an estimate needs a tolerance, and one that can be met") {
+  const std::string room = "mode: path\nbox { size: 2, material: material { diffuse: 0.5, emission: 1 } }\n";
+  CHECK(has(first_message(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2"), "say how precise"));
+  CHECK(has(first_message("sphere {}\nexpect irradiance([0, 2, 0], [0, 1, 0]) ~ 1 within 0.1"), "only `mode: path`"));
+  CHECK(has(first_message(room + "expect irradiance([0, 0, 0], [0, 0, 0]) ~ 1 within 0.1"), "is finite"));
+  CHECK_THAT(failure(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2.5 within 0.1"), Catch::Contains("differ"));
 }
 
 TEST_CASE("expect: what is seen is named, and what was found instead is reported") {

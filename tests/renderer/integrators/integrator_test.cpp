@@ -17,7 +17,7 @@ TEST_CASE("integrator: every kind sees a lit plane, and counts its rays") {
     const auto worker = integrator->make_worker();
     const std::array rays{Ray{{0, 0, 3}, {0, 0, -1}}, Ray{{0, 0, 3}, {0, 0, 1}}};
     std::array<Color, 2> seen;
-    worker->radiance(rays, {}, seen);
+    worker->radiance(rays, {}, {}, seen);
     CHECK(seen[0].g == Approx(0.9)); // ambient 0.1, diffuse 0.8
     CHECK(seen[1] == black);
     CHECK(worker->counts().camera == 2);
@@ -34,7 +34,7 @@ TEST_CASE("integrator: under POV-Ray's rules what is nearer than 1e-4 is not hit
   const auto seen_from = [&](IntegratorKind kind, double height) {
     const Ray ray{{0, 0, height}, {0, 0, -1}};
     Color seen;
-    make_integrator(kind, compiled)->make_worker()->radiance({&ray, 1}, {}, {&seen, 1});
+    make_integrator(kind, compiled)->make_worker()->radiance({&ray, 1}, {}, {}, {&seen, 1});
     return seen;
   };
   CHECK(seen_from(IntegratorKind::whitted, 0.9e-4) == white);

@@ -21,7 +21,7 @@ TEST_CASE("document: a pixel is asked about in the size that the settings say") 
   live::Document small = document_of(ball);
   CHECK_THAT(small.probe({.pixel = std::array{2, 2}}, {}), Catch::Contains("distance 8\n"));
   CHECK_THROWS_AS(small.probe({.pixel = std::array{50, 50}}, {}), explain::QuestionError);
-  live::Document large = document_of(ball, {scene::Resolution{101, 101}, {}, {}});
+  live::Document large = document_of(ball, {.size = scene::Resolution{101, 101}});
   CHECK_THAT(large.probe({.pixel = std::array{50, 50}}, {}), Catch::Contains("distance 8\n"));
 }
 

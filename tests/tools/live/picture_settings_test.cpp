@@ -31,8 +31,35 @@ TEST_CASE("picture settings: what a scene could not say is refused, and changes 
   CHECK(settings.set("size", "40") == "takes width and height, as in 800x600, not `40`");
   CHECK(settings.set("size", "0x30") == "takes whole numbers from 1 to 65536, not 0");
   CHECK(settings.set("samples", "many") == "takes a whole number, not `many`");
-  CHECK(settings.set("samples", "3").starts_with("cannot be 3: "));
+  CHECK(settings.set("seed", "-1") == "takes whole numbers from 0 to 2147483647, not -1");
+  CHECK(settings.set("mode", "radiosity") == "takes one of whitted, path, not `radiosity`");
   CHECK(settings == PictureSettings{});
+}
+
+TEST_CASE("picture settings: what was written for one mode does not count in the other") {
+  PictureSettings settings;
+  CHECK(settings.set("mode", "path") == "");
+  CHECK(settings.set("seed", "5") == "");
+  scene::Scene scene;
+  scene.samples = 9, scene.max_depth = 2;
+  settings.apply_to(scene);
+  CHECK(scene.mode == scene::Mode::path);
+  CHECK(scene.seed == 5);
+  CHECK(scene::sample_count(scene) == 64);
+  CHECK(scene::depth_limit(scene) == 64);
+  scene.samples = 10; // of its own mode
+  settings.apply_to(scene);
+  CHECK(scene.samples == 10);
+}
+
+TEST_CASE("picture settings: samples are a square number in Whitted's mode, and any in path mode") {
+  PictureSettings settings;
+  CHECK(settings.set("samples", "3") == "");
+  scene::Scene scene;
+  CHECK_THROWS_WITH(settings.apply_to(scene), Catch::StartsWith("--samples cannot be 3: "));
+  scene.mode = scene::Mode::path;
+  settings.apply_to(scene);
+  CHECK(scene.samples == 3);
 }
 
 } // namespace

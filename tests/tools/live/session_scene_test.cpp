@@ -16,7 +16,7 @@ struct LiveSession {
   tests::SessionDriver driver;
   live::SessionScene scene{driver.session, {}};
 
-  std::vector<Rgb32> picture() { return scene.render({scene::Resolution{48, 36}, {}, {}}, {}).film.color; }
+  std::vector<Rgb32> picture() { return scene.render({.size = scene::Resolution{48, 36}}, {}).film.color; }
 };
 
 TEST_CASE("session scene: a picture follows every change, and is the whole scene's") {
@@ -38,7 +38,7 @@ TEST_CASE("session scene: answers name lines of the document as it would be save
   LiveSession live;
   live.driver.say("camera {at:[0,0,10]\n,look_at:[0,0,0]}");
   live.driver.say("sphere{}");
-  const live::PictureSettings settings{scene::Resolution{48, 36}, {}, {}};
+  const live::PictureSettings settings{.size = scene::Resolution{48, 36}};
   const std::string first = live.scene.document(settings).probe(middle, {});
   // The camera takes four lines, so that the sphere stands on the fifth.
   CHECK(live.driver.session.formatted() == "camera {\n  at: [0, 0, 10]\n  look_at: [0, 0, 0]\n}\nsphere {}\n");
@@ -53,7 +53,7 @@ TEST_CASE("session scene: the document is loaded once for a version and its sett
   const scene::Scene* const first = &live.scene.document().scene();
   const Vec3 place = first->camera.at;
   CHECK(&live.scene.document().scene() == first);
-  CHECK(live.scene.document({scene::Resolution{4, 4}, {}, {}}).scene().size == scene::Resolution{4, 4});
+  CHECK(live.scene.document({.size = scene::Resolution{4, 4}}).scene().size == scene::Resolution{4, 4});
   CHECK(live.scene.document().scene().size == scene::Resolution{800, 600});
   CHECK(live.scene.document().scene().camera.at == place);
 }

@@ -49,7 +49,8 @@ TEST_CASE("export: every light is written, under its own name") {
     WrittenScene b;
     b.light(L{});
     const std::string text = export_povray(b.scene, {}).text;
-    CHECK_THAT(text, Contains("// " + std::string(L::noun)) && Contains("light_source {"));
+    const char* const written = std::is_same_v<L, scene::SkyLight> ? "sky_sphere {" : "light_source {";
+    CHECK_THAT(text, Contains("// " + std::string(L::noun)) && Contains(written));
   });
 }
 

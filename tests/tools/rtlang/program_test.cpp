@@ -100,6 +100,11 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"scene.rtl", "--size", "0x6"}) == "rtlang: --size takes whole numbers from 1 to 65536, not 0");
   CHECK(message({"scene.rtl", "--size"}) == "rtlang: --size takes a value: --size WxH");
   CHECK_THAT(message({"scene.rtl", "--samples", "3"}), StartsWith("rtlang: --samples cannot be 3: "));
+  CHECK(message({"scene.rtl", "--mode", "radiosity"}) == "rtlang: --mode takes one of whitted, path, not `radiosity`");
+  CHECK(message({"scene.rtl", "--time", "9s"}) ==
+        "rtlang: --time goes with the mode path: the other one takes as long as it takes");
+  CHECK(message({"scene.rtl", "--mode", "path", "--time", "soon"}) ==
+        "rtlang: --time takes a time, as in 90s, 5m or 1.5h, not `soon`");
   CHECK(message({"scene.rtl", "--max-depth", "-1"}) ==
         "rtlang: --max-depth takes whole numbers from 0 to 1000, not -1");
   CHECK(message({"scene.rtl", "--bits", "12"}) == "rtlang: --bits takes one of 8, 16, not `12`");

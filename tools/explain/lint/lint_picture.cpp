@@ -139,6 +139,7 @@ void find_dark_lights(LintContext& context) {
   std::set<Line> lit;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Line line = line_of(context.scene.lights[i].origin);
+    if (!scene::is_lamp(context.scene.lights[i])) continue;
     if (closer.lights[i].is_lit || context.survey.lights[i].is_lit) {
       lit.insert(line);
     } else if (Dark& dark = lines[line]; dark.count++ == 0) {
@@ -185,12 +186,13 @@ void find_cut_off_rays(LintContext& context) {
       100.0 * static_cast<double>(s.cut_off) <= context.options.depth_share * static_cast<double>(s.rays))
     return;
   const Line line = most_common(s.cut_off_at);
-  lang::Diagnostic& d = context.findings.warn(lang::lint_rule::depth_reached, line,
-                                              fmt::format("{} of the pixels lose light at `max_depth` ({})",
-                                                          percent(s.cut_off, s.rays), context.scene.max_depth));
+  lang::Diagnostic& d =
+      context.findings.warn(lang::lint_rule::depth_reached, line,
+                            fmt::format("{} of the pixels lose light at `max_depth` ({})", percent(s.cut_off, s.rays),
+                                        scene::depth_limit(context.scene)));
   d.label = "most of it here";
-  d.notes.push_back(
-      {std::nullopt, fmt::format("raise it, as in `max_depth: {}`", 2 * std::max(context.scene.max_depth, 4))});
+  d.notes.push_back({std::nullopt, fmt::format("raise it, as in `max_depth: {}`",
+                                               2 * std::max(scene::depth_limit(context.scene), 4))});
 }
 
 } // namespace rt::tools::explain

@@ -128,7 +128,7 @@ private:
       if (max_component(ray.background) >= dark_below) return "little of the background's light gets through";
       return first == 0 ? background() : "nothing is behind it, and the background is dark there";
     }
-    return fmt::format("the ray ends at max_depth {}", answer_.scene.max_depth);
+    return fmt::format("the ray ends at max_depth {}", scene::depth_limit(answer_.scene));
   }
 
   std::string background() const {
@@ -334,7 +334,7 @@ std::string cuts(const Answer& answer) {
   for (const Cut& cut : answer.sum.cuts) weight += max_component(cut.weight);
   if (weight < 0.05) return {};
   return fmt::format("; rays with {} of the weight ended at max_depth {}", percent_text(std::min(weight, 1.0)),
-                     answer.scene.max_depth);
+                     scene::depth_limit(answer.scene));
 }
 
 } // namespace

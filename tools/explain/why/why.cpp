@@ -13,7 +13,8 @@ Answer::Answer(const scene::Scene& described, std::string_view file_name, const 
     : scene(described), compiled(query.scene()), file(file_name), namer(described, file_name),
       ray(resolve(question, described, query.camera())), tree(record(query, ray.ray)), sum(take_apart(*tree)),
       path(main_path(*tree, sum)) {
-  if (question.pixel && scene.samples > 1) pixel = query.pixel((*question.pixel)[0], (*question.pixel)[1]);
+  if (question.pixel && scene::whitted_samples(scene) > 1)
+    pixel = query.pixel((*question.pixel)[0], (*question.pixel)[1]);
 }
 
 bool shows(const Answer& answer, const Detail& detail, const RayNode& ray) {

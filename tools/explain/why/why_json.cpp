@@ -164,7 +164,7 @@ json why_json(const Answer& answer, const Detail& detail) {
          {"shown", shown(seen, scene::tone_mapping(answer.scene))},
          {"sum_of_terms", to_json(answer.sum.total)}};
   if (answer.pixel)
-    j["pixel"] = {{"samples", answer.scene.samples},
+    j["pixel"] = {{"samples", scene::whitted_samples(answer.scene)},
                   {"radiance", to_json(*answer.pixel)},
                   {"shown", shown(*answer.pixel, scene::tone_mapping(answer.scene))}};
   json terms = json::array();

@@ -38,10 +38,10 @@ public:
     if (node.end == RayNode::End::background)
       page_.line(indent, fmt::format("{} meets nothing: the background, {}", subject, color_text(node.background)));
     if (node.end == RayNode::End::too_deep)
-      page_.line(indent,
-                 node.surfaces.empty()
-                     ? fmt::format("depth {} is beyond max_depth {}: black", node.depth, answer_.scene.max_depth)
-                     : fmt::format("depth {} is max_depth: what lies beyond is not traced, black", node.depth));
+      page_.line(indent, node.surfaces.empty()
+                             ? fmt::format("depth {} is beyond max_depth {}: black", node.depth,
+                                           scene::depth_limit(answer_.scene))
+                             : fmt::format("depth {} is max_depth: what lies beyond is not traced, black", node.depth));
   }
 
   void radiance(const RayNode& node, int indent) {

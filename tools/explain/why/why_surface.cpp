@@ -154,6 +154,8 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
   const scene::LightSource& source = answer.scene.lights[r.light].source;
   const MaterialValues& m = s.material;
   const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(source, r.sample));
+  if (!scene::is_lamp(answer.scene.lights[r.light]))
+    return page.line(indent, answer.namer.light(r.light) + ": its light on surfaces is followed in path mode alone");
   if (r.sample.distance == 0) return page.line(indent, name + ": it is at this very point and does not light it");
   if (!(r.cos_light > 0))
     return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));

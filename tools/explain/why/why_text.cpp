@@ -53,7 +53,7 @@ std::string why_text(const Answer& answer, const Detail& detail) {
   page.line(0, headline(answer));
   if (answer.pixel)
     page.line(2, fmt::format("the pixel itself is the mean of its {} samples: {} linear, shown as {}",
-                             answer.scene.samples, color_text(*answer.pixel),
+                             scene::whitted_samples(answer.scene), color_text(*answer.pixel),
                              shown(*answer.pixel, scene::tone_mapping(answer.scene))));
   page.blank();
   if (detail.is_path_only())

@@ -67,10 +67,10 @@ private:
   void header(Writer& out) {
     comment(out, "Exported from a rtlang scene for POV-Ray 3.7. Linear colours, one ray through each pixel's centre:");
     comment(out, fmt::format("povray +Iscene.pov +W{} +H{} -A File_Gamma=1.0", scene_.size[0], scene_.size[1]));
-    if (scene_.samples > 1) {
+    if (scene::whitted_samples(scene_) > 1) {
       comment(out,
               fmt::format("For its {} samples each pixel, render it that many times as large (the root of it each way)",
-                          scene_.samples));
+                          scene::whitted_samples(scene_)));
       comment(out, "and take the mean of each square of pixels.");
     }
     if (const ToneMapping tones = tone_mapping(scene_); tones != ToneMapping{})
@@ -78,19 +78,32 @@ private:
               fmt::format("This is the linear picture. rtlang shows it {} stops brighter, tone {}, in 8 and 16 bits.",
                           tones.exposure, tones.tone == Tone::filmic ? "filmic" : "clip"));
     out.line("#version 3.7;");
-    if (scene_.max_depth + 1 > most_trace_levels)
+    if (scene::depth_limit(scene_) + 1 > most_trace_levels)
       inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}",
-                                      most_trace_levels - 1, scene_.max_depth),
+                                      most_trace_levels - 1, scene::depth_limit(scene_)),
                           {}});
     out.open("global_settings");
     out.line("assumed_gamma 1.0");
-    out.line(fmt::format("max_trace_level {}", std::min(scene_.max_depth + 1, most_trace_levels)));
+    out.line(fmt::format("max_trace_level {}", std::min(scene::depth_limit(scene_) + 1, most_trace_levels)));
     out.line("adc_bailout 0");
     out.line("ambient_light " + rgb(scene_.ambient));
     out.close();
-    if (options_.pass == Pass::color) out.line(fmt::format("background {{ {} }}", rgb(scene_.background)));
+    if (options_.pass == Pass::color) write_sky(out);
     comment_origin(out, "camera", no_name, scene_.camera_origin);
     write_camera(out, scene_.camera, scene_.size);
+  }
+
+  // POV-Ray's skies cover each other; ours add up.
+  void write_sky(Writer& out) {
+    const Light* first = nullptr;
+    for (const Light& light : scene_.lights) {
+      if (is_lamp(light)) continue;
+      if (first) inexact_.push_back({"POV-Ray shows one sky at a time: this one is left out", light.origin});
+      if (!first) first = &light;
+    }
+    if (!first) return out.line(fmt::format("background {{ {} }}", rgb(scene_.background)));
+    comment_origin(out, noun(first->source), first->name, first->origin);
+    write_light(out, *first, scene_.camera);
   }
 
   Writer write_objects() {
@@ -102,6 +115,7 @@ private:
       // pixels before it.
       if (!scene_.lights.empty()) out.open("light_group");
       for (const Light& light : scene_.lights) {
+        if (!is_lamp(light)) continue;
         comment_origin(out, noun(light.source), light.name, light.origin);
         if (const SpotLight* spot = std::get_if<SpotLight>(&light.source); spot && !spot->shadows)
           inexact_.push_back({"POV-Ray has no spotlight without shadows: `shadowless` makes it shine in all directions",

@@ -64,10 +64,22 @@ std::string body(const SunLight& source, const Light& light, const Camera& camer
                      rgb(source.color * source.intensity), source.shadows ? "" : " shadowless");
 }
 
+// A gradient repeats from 0 to 1 along its axis: stretched, it goes from the nadir to the zenith.
+std::string body(const SkyLight& source, const Light& light, const Camera&) {
+  Vec3 up{0, 1, 0};
+  for (const Step& step : light.chain) up = map_of(step).vector(up);
+  for (const Placement& placement : light.enclosing) up = map_of(placement).vector(up);
+  up = unit(up);
+  const std::string below = rgb(source.ground.value_or(source.horizon * 0.3) * source.intensity);
+  return fmt::format(
+      "pigment {{ gradient {0} color_map {{ [0 {1}] [0.5 {1}] [0.5 {2}] [1 {3}] }} scale 2 translate {4} }}",
+      vector(up), below, rgb(source.horizon * source.intensity), rgb(source.zenith * source.intensity), vector(-up));
+}
+
 } // namespace
 
 void write_light(Writer& out, const Light& light, const Camera& camera) {
-  out.line(fmt::format("light_source {{ {} }}",
+  out.line(fmt::format("{} {{ {} }}", is_lamp(light) ? "light_source" : "sky_sphere",
                        std::visit([&](const auto& source) { return body(source, light, camera); }, light.source)));
 }
 

@@ -55,7 +55,7 @@ private:
 } // namespace
 
 Shots shoot(const Scene& scene, const ShootOptions& options) {
-  const int n = scene::sample_grid(scene.samples).value();
+  const int n = scene::sample_grid(scene::whitted_samples(scene)).value();
   Shots shots{scene.size[0], scene.size[1], {}, {}, {}, {}, true};
   run_many(4, options.at_once, [&](std::size_t i) {
     const Pass pass = static_cast<Pass>(i);

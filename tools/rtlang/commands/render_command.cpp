@@ -22,7 +22,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <filesystem>
 #include <functional>
@@ -49,9 +51,24 @@ struct RenderArguments {
   std::string crop;
   int bits = 8;
   int threads = 0;
+  double seconds = 0; ///< at most; 0: as long as it takes
   bool keeps_partial = false;
   std::string statistics; ///< "text", "json", or empty for the one line
 };
+
+/// "90s", "5m", "1.5h", or a number of seconds; nothing for what is no time, or none at all.
+std::optional<double> seconds_of(std::string_view text) {
+  double unit = 1;
+  if (text.ends_with('s') || text.ends_with('m') || text.ends_with('h')) {
+    unit = text.back() == 's' ? 1 : text.back() == 'm' ? 60 : 3600;
+    text.remove_suffix(1);
+  }
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !(number > 0) || !std::isfinite(number))
+    return std::nullopt;
+  return number * unit;
+}
 
 struct Output {
   std::string path;
@@ -144,12 +161,15 @@ private:
 
 Rendered render_within_memory(const CompiledScene& compiled, const scene::Scene& scene, const RenderOptions& options) {
   try {
-    return rt::render(compiled, view_of(scene), options);
+    View view = view_of(scene);
+    if (options.time_limit) view.samples = scene.samples.value_or(scene::most_samples);
+    return rt::render(compiled, view, options);
   } catch (const std::bad_alloc&) {
     const PixelRect rect = options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]});
+    const std::uint64_t sums = scene.is_path() ? sums_bytes(rect) : 0;
     throw std::runtime_error(fmt::format(
         "there is not enough memory: a picture of {}×{} pixels takes {}B{}", rect.width(), rect.height(),
-        human(static_cast<double>(film_bytes(rect, options.layers))), options.layers ? " with its layers" : ""));
+        human(static_cast<double>(film_bytes(rect, options.layers) + sums)), options.layers ? " with its layers" : ""));
   }
 }
 
@@ -189,6 +209,10 @@ int run_render(const RenderArguments& arguments) {
   RenderOptions options;
   options.threads = arguments.threads;
   options.stop = &stop_flag();
+  if (arguments.seconds > 0) {
+    if (!scene.is_path()) throw UsageError("--time goes with the mode path: the other one takes as long as it takes");
+    options.time_limit = arguments.seconds;
+  }
   options.layers = std::any_of(list.begin(), list.end(), [](const Output& o) { return o.format == ImageFormat::exr; });
   if (!arguments.crop.empty()) options.crop = crop(arguments.crop, scene.size);
   const Rendered rendered = render_with_progress(arguments, scene, options);
@@ -203,7 +227,6 @@ int run_render(const RenderArguments& arguments) {
   for (const Output& output : list) statistics.outputs.push_back(output.path);
   statistics.width = rendered.film.width;
   statistics.height = rendered.film.height;
-  statistics.samples = scene.samples;
   statistics.is_complete = rendered.is_complete;
   statistics.load = loaded.statistics;
   statistics.render = rendered.statistics;
@@ -230,6 +253,14 @@ Action declare_render(CLI::App& app) {
   app.add_option("--bits", arguments->bits, "bits per channel in .png and .ppm: 8 or 16")
       ->type_name("N")
       ->check(one_of({"8", "16"}));
+  app.add_option_function<std::string>(
+         "--time", [arguments = arguments.get()](const std::string& text) { arguments->seconds = *seconds_of(text); },
+         "in path: samples for so long, as in 90s, 5m or 1.5h")
+      ->type_name("T")
+      ->check([](const std::string& text) {
+        return seconds_of(text) ? "" : fmt::format("takes a time, as in 90s, 5m or 1.5h, not `{}`", text);
+      })
+      ->group(further_options);
   app.add_option("--threads", arguments->threads, "number of threads (one per core)")
       ->type_name("N")
       ->check(whole_number(1, 1024));

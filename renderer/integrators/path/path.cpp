@@ -1,0 +1,42 @@
+#include "renderer/integrators/path/path.hpp"
+
+#include "renderer/integrators/path/path_tracer.hpp"
+
+namespace rt {
+namespace {
+
+class PathIntegrator final : public Integrator {
+public:
+  explicit PathIntegrator(const CompiledScene& scene) : scene_(scene), lamps_(scene) {}
+
+  std::unique_ptr<Worker> make_worker(const std::atomic<bool>* stop) const override {
+    return std::make_unique<PathWorker>(scene_, lamps_, stop);
+  }
+
+private:
+  class PathWorker final : public Worker {
+  public:
+    PathWorker(const CompiledScene& scene, const Lamps& lamps, const std::atomic<bool>* stop)
+        : tracer_(scene, lamps, stop) {}
+
+    void radiance(std::span<const Ray> rays, std::span<const SampleStream> streams, const std::vector<Medium>& inside,
+                  std::span<Color> results) override {
+      tracer_.radiance(rays, streams, inside, results);
+    }
+    const RayCounts& counts() const override { return tracer_.counts(); }
+
+  private:
+    PathTracer tracer_;
+  };
+
+  const CompiledScene& scene_;
+  Lamps lamps_;
+};
+
+} // namespace
+
+std::unique_ptr<const Integrator> make_path(const CompiledScene& scene) {
+  return std::make_unique<PathIntegrator>(scene);
+}
+
+} // namespace rt

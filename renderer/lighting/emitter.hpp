@@ -1,0 +1,96 @@
+#pragma once
+
+#include "renderer/compile/geometries.hpp"
+#include "renderer/math/affine.hpp"
+
+#include <optional>
+#include <variant>
+
+/// Shapes that shine, as lamps whose points can be drawn.
+namespace rt {
+
+/// A geometry whose surface can be drawn from.
+template <class G>
+concept Drawable = requires(const G& g) {
+  area(lamp_surface(g));
+};
+
+namespace detail {
+
+template <class T, class Variant>
+struct AppendOnce;
+template <class T, class... Known>
+struct AppendOnce<T, std::variant<Known...>> {
+  using Type = std::conditional_t<(std::is_same_v<T, Known> || ...), std::variant<Known...>, std::variant<Known..., T>>;
+};
+
+template <class Variant, class... G>
+struct LampSurfacesFrom {
+  using Type = Variant;
+};
+template <class Variant, class G, class... Rest>
+struct LampSurfacesFrom<Variant, G, Rest...> {
+  static auto next() {
+    if constexpr (Drawable<G>)
+      return
+          typename AppendOnce<std::remove_cvref_t<decltype(lamp_surface(std::declval<const G&>()))>, Variant>::Type{};
+    else
+      return Variant{};
+  }
+  using Type = typename LampSurfacesFrom<decltype(next()), Rest...>::Type;
+};
+
+template <class Tuple>
+struct LampSurfacesOf;
+template <class... G>
+struct LampSurfacesOf<std::tuple<G...>> {
+  using Type = typename LampSurfacesFrom<std::variant<SphereGeometry>, G...>::Type;
+};
+
+} // namespace detail
+
+/// What the points of any lamp are drawn from.
+using LampSurface = detail::LampSurfacesOf<Geometries>::Type;
+
+/// A direction towards a lamp.
+struct EmitterSample {
+  Vec3 direction;  ///< unit
+  double distance; ///< to the point of the lamp
+};
+
+/// A surface that shines, in the scene's space. Its points are drawn by area; those of a ball that is seen from outside
+/// by the directions to it.
+class Emitter {
+public:
+  /// The surface, and the map that places it. Nothing where it has no finite area.
+  static std::optional<Emitter> make(const LampSurface& surface, const Affine& to_scene);
+
+  /// Draws a direction from p, for u and v that are spread evenly; nothing where p is a point of the lamp's.
+  std::optional<EmitterSample> sample(const Vec3& p, double u, double v) const;
+  /// How densely that draws the direction (unit) that leads from p to a point of the lamp, per solid angle.
+  double density(const Vec3& p, const Vec3& direction, const Vec3& point, const Vec3& normal) const;
+
+  /// Any point of the surface.
+  AreaPoint point(double u, double v) const;
+  /// About, where the map stretches it.
+  double surface_area() const;
+  /// A ball around it.
+  const Vec3& center() const { return center_; }
+  double radius() const { return radius_; }
+
+private:
+  Emitter(const LampSurface& surface, const Affine& to_scene, bool is_mapped);
+  /// The ball as which it is seen from p, where it is one and p lies outside.
+  const SphereGeometry* ball_seen_from(const Vec3& p) const;
+  /// How much the map enlarges the surface where its normal is this, in the scene's space.
+  double enlargement(const Vec3& normal) const;
+
+  LampSurface surface_;
+  Affine to_scene_;
+  bool is_mapped_; ///< the map is not the identity
+  double area_;    ///< before the map
+  Vec3 center_{};
+  double radius_ = 0;
+};
+
+} // namespace rt

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "renderer/lights/light.hpp"
+#include "renderer/math/affine.hpp"
+
+#include <limits>
+
+namespace rt::scene {
+
+/// Light from all around, from infinitely far away: what rays see that meet nothing. It goes over from the horizon to
+/// the zenith with the sine of the height; below the horizon it is even. Path mode alone follows its light to surfaces.
+struct SkyLight : LightCommon { // its own colours take the place of the common one
+  static constexpr std::string_view noun = "sky";
+  static constexpr std::string_view help = "what is seen where nothing is; in path mode it lights the scene";
+  Color zenith = white, horizon = white;
+  std::optional<Color> ground; ///< 0.3 of the horizon
+};
+
+std::span<const Field> fields(const SkyLight*);
+std::optional<Problem> check(const SkyLight&);
+
+} // namespace rt::scene
+
+namespace rt {
+
+struct SkyEmitter {
+  Color zenith, horizon, ground;
+  Vec3 up; ///< unit
+};
+
+SkyEmitter placed(const scene::SkyLight& light, const Affine& to_scene);
+
+/// What comes from the direction that `direction` (unit) points to.
+inline Color radiance(const SkyEmitter& sky, const Vec3& direction) {
+  const double height = dot(sky.up, direction);
+  return height < 0 ? sky.ground : sky.horizon + (sky.zenith - sky.horizon) * height;
+}
+
+/// It gives nothing as a lamp: nobody knows from where its light comes.
+inline LightSample sample_light(const SkyEmitter& sky, const Vec3&) {
+  return {sky.up, std::numeric_limits<double>::infinity(), 0};
+}
+
+} // namespace rt

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "renderer/render/film.hpp"
+#include "renderer/render/sums.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// The noise of a picture as it is made, block by block of 16 × 16 pixels (aligned to the whole picture), and which of
+/// them need more samples.
+///
+/// A block's noise is what sampling has moved it by in the finished picture, root mean square, in parts of full scale:
+/// the mean over its pixels and channels of (w·(A − B)/2)², A and B being the halves of the samples and w the slope of
+/// sRGB's encoding at the mean light of the 3 × 3 pixels around; for light beyond 1, which is clipped, that of the
+/// logarithm, as steep at 1.
+class NoiseBlocks {
+public:
+  /// `rect` is the part of the picture that is made. A block rests once it and its neighbours have been below `aim`
+  /// after two passes in a row; with an aim of 0 none does.
+  NoiseBlocks(const PixelRect& rect, double aim);
+
+  /// After a pass over all blocks that do not rest: `sums` are the pixels'.
+  void update(std::span<const PixelSums> sums);
+
+  bool rests(int x, int y) const { return rests_[index(x / side, y / side)]; }
+  bool all_rest() const;
+  /// Of the noisiest block; infinite before there are two samples for each pixel.
+  double worst() const;
+
+private:
+  static constexpr int side = 16;
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column - first_column_);
+  }
+  double noise(int column, int row, std::span<const PixelSums> sums, std::span<const Color> means) const;
+  Color light_around(int x, int y, std::span<const Color> means) const;
+  bool is_surrounded_by_calm(int column, int row) const;
+
+  PixelRect rect_;
+  double aim_;
+  int first_column_, first_row_, columns_, rows_;
+  std::vector<double> noise_; // by block
+  std::vector<int> calm_;     // for how many passes it has been below the aim
+  std::vector<bool> rests_;
+};
+
+} // namespace rt

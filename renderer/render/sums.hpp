@@ -1,0 +1,52 @@
+#pragma once
+
+#include "renderer/math/color.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace rt {
+
+/// A sum of numbers that does not depend on their order: each is rounded to a multiple of 2⁻⁶⁴, and integers of 128
+/// bits are added. It ends at ±2⁶².
+class FixedSum {
+public:
+  void add(double number);
+  void add(const FixedSum& other);
+  double value() const;
+  bool is_saturated() const;
+  friend bool operator==(const FixedSum&, const FixedSum&) = default;
+
+  /// The integer's upper and lower half: value · 2⁶⁴.
+  std::int64_t upper() const { return upper_; }
+  std::uint64_t lower() const { return lower_; }
+  static FixedSum from(std::int64_t upper, std::uint64_t lower);
+
+private:
+  std::int64_t upper_ = 0;
+  std::uint64_t lower_ = 0;
+};
+
+/// What a pixel has gathered. Its samples are dealt out to two halves in turn, which are independent, so that their
+/// difference tells the error of their mean.
+class PixelSums {
+public:
+  void add(std::uint32_t sample, const Color& radiance);
+  void add(const PixelSums& other);
+
+  std::uint32_t samples() const { return counts_[0] + counts_[1]; }
+  /// Black without samples.
+  Color mean() const;
+  /// Of one half, which must have samples.
+  Color mean(std::size_t half) const;
+  /// The standard error of the mean in each channel, estimated from the halves: half of their difference. Infinite
+  /// where one of them has no samples.
+  Color error() const;
+  friend bool operator==(const PixelSums&, const PixelSums&) = default;
+
+private:
+  std::array<std::array<FixedSum, 3>, 2> sums_{}; // by half, then channel
+  std::array<std::uint32_t, 2> counts_{};
+};
+
+} // namespace rt

@@ -176,7 +176,9 @@ void NameResolver::report_unknown(const Unit& unit, NodeId node) {
     const Owner& owner = scopes_.all()[i].owner;
     const bool is_property =
         (owner.def && owner.def->find(symbol) && !owner.is_def_body) || (owner.type && owner.type->find(symbol));
-    if (is_property && !find_css_color(word)) return errors::property_is_no_name(context_, span, symbol);
+    if (!is_property || find_css_color(word)) continue;
+    const std::string_view text = context_.program.sources.file(span.file).text;
+    return errors::property_is_no_name(context_, span, symbol, text_of(text, next_token(text, span.end)) == "{");
   }
   if (const auto inner = bound_in_closed_block(unit.ast, span.begin, symbol))
     return errors::name_of_another_block(context_, span, symbol, *inner);

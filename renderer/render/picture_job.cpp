@@ -55,7 +55,8 @@ Film make_film(const PixelRect& rect, const scene::Resolution& picture, const Re
     is_whole = is_whole && fill(film.depth, std::numeric_limits<double>::infinity()) && fill(film.normal, Xyz32{}) &&
                fill(film.position, Xyz32{}) && fill(film.object_id, std::uint32_t{0}) && fill(film.albedo, Rgb32{});
   }
-  return is_whole ? film : Film{};
+  if (!is_whole) return {};
+  return film;
 }
 
 PictureJob::PictureJob(const CompiledScene& scene, const View& view, IntegratorKind kind, const RenderOptions& options,

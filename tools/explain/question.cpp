@@ -47,11 +47,15 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, std::
   return numbers;
 }
 
+void require_one_of(bool pixel, bool at, bool ray) {
+  if (int{pixel} + int{at} + int{ray} != 1)
+    throw QuestionError("ask about one of --pixel X,Y, --at X,Y and --ray OX,OY,OZ DX,DY,DZ");
+}
+
 } // namespace
 
 NamedRay resolve(const Question& q, const scene::Scene& scene, const CameraRays& camera) {
-  if ((q.pixel ? 1 : 0) + (q.at ? 1 : 0) + (q.ray ? 1 : 0) != 1)
-    throw QuestionError("ask about one of --pixel X,Y, --at X,Y and --ray OX,OY,OZ DX,DY,DZ");
+  require_one_of(q.pixel.has_value(), q.at.has_value(), q.ray.has_value());
   if (q.sample && !q.pixel) throw QuestionError("--sample goes with --pixel");
   if (q.pixel) return pixel_ray(q, scene, camera);
   if (q.at) return point_ray(q, scene, camera);
@@ -60,6 +64,7 @@ NamedRay resolve(const Question& q, const scene::Scene& scene, const CameraRays&
 }
 
 Question parse(const QuestionText& text) {
+  require_one_of(!text.pixel.empty(), !text.at.empty(), !text.ray.empty());
   Question q;
   if (!text.pixel.empty()) {
     const auto xy = numbers_of(text.pixel, 2, "--pixel");

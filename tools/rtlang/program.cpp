@@ -7,12 +7,14 @@
 #include "tools/terminal/console.hpp"
 #include "tools/terminal/exit_code.hpp"
 #include "tools/terminal/interrupt.hpp"
+#include "tools/terminal/quantity.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -83,7 +85,11 @@ std::string about_missing(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options())
     if (option->get_required() && option->count() == 0) names.push_back(option->get_single_name());
   const bool wants_scene = std::find(names.begin(), names.end(), "SCENE") != names.end();
-  return fmt::format("{} {} missing{}", fmt::join(names, " and "), names.size() == 1 ? "is" : "are",
+  const CLI::Option* question = app.get_option_no_throw("--ray");
+  if (question != nullptr && question->count() + app.count("--pixel") + app.count("--at") == 0)
+    names.push_back("--pixel X,Y");
+  const bool is_one = names.size() == 1 && !names.front().ends_with('S'); // SCENE, but FILES
+  return fmt::format("{} {} missing{}", fmt::join(names, " and "), is_one ? "is" : "are",
                      wants_scene && input_is_given()
                          ? ": a scene from standard input is called `-`, as in `rtlang - < scene.rtl`"
                          : "");
@@ -145,7 +151,10 @@ int run(std::vector<std::string> arguments) {
   } catch (const Interrupted&) {
     return exit_signal_base + stop_signal();
   } catch (const std::bad_alloc&) {
-    print_error("rtlang: out of memory\n");
+    struct rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    print_error(fmt::format("rtlang: there is not enough memory: {}B were in use\n",
+                            human(1024 * static_cast<double>(usage.ru_maxrss)))); // in KiB, as Linux counts
   } catch (const std::system_error& error) {
     // A file that is a pipe was waited for.
     if (error.code() == std::errc::interrupted && stop_signal() != 0) return exit_signal_base + stop_signal();

@@ -20,7 +20,8 @@ void name_before_its_value(CheckContext& context, Span place, Symbol name, Span 
 /// A name that was bound where a property was to be set: nothing reads it.
 void name_hides_property(CheckContext& context, Span place, Symbol name, const Owner& owner);
 /// A property of the thing whose block it is, read like a name.
-void property_is_no_name(CheckContext& context, Span place, Symbol name);
+/// `has_block` where braces follow: `background { … }`.
+void property_is_no_name(CheckContext& context, Span place, Symbol name, bool has_block);
 /// A name that is bound in a block that has ended.
 void name_of_another_block(CheckContext& context, Span place, Symbol name, Span bound);
 void parameter_hides_property(CheckContext& context, Span place, Symbol name);

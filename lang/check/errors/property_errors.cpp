@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace rt::lang::errors {
 namespace {
 
@@ -17,6 +19,14 @@ std::vector<std::string_view> properties_of(CheckContext& context, const Owner& 
   }
   for (const Property& p : owner.type->properties) names.push_back(p.name);
   return names;
+}
+
+/// The value as it would be a colour: `"red"` without quotes, `[1, 0, 0]` with `rgb`.
+std::string as_color(std::string_view value) {
+  const std::string_view inner = value.substr(1, std::max<std::size_t>(value.size(), 2) - 2);
+  if (value.starts_with('"')) return std::string(inner);
+  if (value.starts_with('[')) return fmt::format("rgb({})", inner);
+  return std::string(value);
 }
 
 /// Where the property belongs, when that is known to be elsewhere; else empty.
@@ -30,7 +40,8 @@ std::string better_place(CheckContext& context, const Unit& unit, const Named& p
   if (owner.type == &context.program.types.scene() && is_thing)
     return fmt::format("to keep something for later, write `{} = …`", word);
   if (!owner.type->is_shape()) return {};
-  if (word == "color" || word == "colour") return fmt::format("a colour is a material: write `material: {}`", shown);
+  if (word == "color" || word == "colour")
+    return fmt::format("a colour is a material: write `material: {}`", as_color(shown));
   if (context.program.types.material().find(property.symbol))
     return fmt::format("it belongs to the material: `material: material {{ {}: {} }}`", word, shown);
   return {};

@@ -48,9 +48,12 @@ TEST_CASE("outputs: devices, descriptors, pipes and fifos are written straight")
 
 TEST_CASE("outputs: no picture is poured on a terminal") {
   const Desk desk;
-  Pty terminal({RTLANG_BINARY, desk.folder / "scene.rtl", "-o", "-"}, {});
-  CHECK(terminal.wait_for_end() == 2);
-  CHECK_THAT(terminal.screen().text(), Contains("a terminal cannot show a picture file: say -o FILE"));
+  for (const char* output : {"-", "/dev/stdout", "/dev/tty"}) {
+    INFO(output);
+    Pty terminal({RTLANG_BINARY, desk.folder / "scene.rtl", "-o", output}, {});
+    CHECK(terminal.wait_for_end() == 2);
+    CHECK_THAT(terminal.screen().text(), Contains("a terminal cannot show a picture file: say -o FILE"));
+  }
 }
 
 TEST_CASE("outputs: a scene that is piped in has to be named, and the error says how") {

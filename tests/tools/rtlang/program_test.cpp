@@ -124,7 +124,14 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK_THAT(message({"-q"}), StartsWith("rtlang: SCENE is missing: a scene from standard input is called `-`"));
   CHECK(message({"diff", "a.png"}) == "rtlang: B is missing");
   CHECK(message({"diff"}) == "rtlang: A and B are missing");
-  CHECK(message({"fmt"}) == "rtlang: FILES is missing");
+  CHECK(message({"fmt"}) == "rtlang: FILES are missing");
+  CHECK(message({"test"}) == "rtlang: SCENES are missing");
+  CHECK(message({"why"}) == "rtlang: SCENE and --pixel X,Y are missing");
+  CHECK(message({"probe", "--at", "1,2"}) == "rtlang: SCENE is missing");
+  CHECK_THAT(message({"probe", "scene.rtl"}), StartsWith("rtlang: ask about one of --pixel X,Y, --at X,Y"));
+  CHECK(message({"lint", "--strict"}) == "rtlang: SCENE is missing");
+  for (const char* command : {"ast", "scene", "export", "check"})
+    CHECK(message({command}) == "rtlang: SCENE is missing");
   CHECK(desk.folder.names() == Names{"scene.rtl"});
 }
 

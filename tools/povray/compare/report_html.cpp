@@ -237,11 +237,12 @@ std::string filled(const std::vector<std::pair<std::string_view, std::string>>& 
 std::string report_html(const Report& r) {
   const Comparison& c = r.comparison;
   const bool holds = r.holds();
-  const std::string summary = fmt::format(
-      "<span class=\"{}\">{}</span> {} × {} pixels, in {:.2f} s by rtlang and {:.2f} s by POV-Ray {}. Largest "
-      "difference of colour {:.3g} at ({}, {}).",
-      holds ? "good" : "bad", holds ? "Every gate holds." : "A gate fails.", c.width, c.height, r.render_seconds,
-      r.povray_seconds, escaped(r.povray_version), c.color_max, c.color_max_x, c.color_max_y);
+  const std::string summary = fmt::format("<span class=\"{}\">{}</span> {} × {} pixels, in {:.2f} s by rtlang and "
+                                          "{:.2f} s by POV-Ray {}, side by side. Largest "
+                                          "difference of colour {:.3g} at ({}, {}).",
+                                          holds ? "good" : "bad", holds ? "Every gate holds." : "A gate fails.",
+                                          c.width, c.height, r.render_seconds, r.povray_seconds,
+                                          escaped(r.povray_version), c.color_max, c.color_max_x, c.color_max_y);
   return filled({{"%TITLE%", escaped(r.scene)},
                  {"%SUMMARY%", summary},
                  {"%STAGE%", std::to_string(std::max(c.width, 640))},

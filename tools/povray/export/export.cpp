@@ -75,7 +75,7 @@ private:
     }
     if (const ToneMapping tones = tone_mapping(scene_); tones != ToneMapping{})
       comment(out,
-              fmt::format("This is the linear picture. rtlang shows it {} stops brighter, tone {}, in 8 and 16 bits.",
+              fmt::format("This is the linear picture; in 8 and 16 bits rtlang shows it with exposure {} and tone {}.",
                           tones.exposure, tones.tone == Tone::filmic ? "filmic" : "clip"));
     out.line("#version 3.7;");
     if (scene::depth_limit(scene_) + 1 > most_trace_levels)

@@ -40,7 +40,6 @@ std::string conclusion(const std::vector<lang::Diagnostic>& warnings) {
 
 int run_lint(LintArguments& arguments) {
   if (arguments.lists_rules) return list_rules();
-  if (arguments.scene->path.empty()) throw UsageError("SCENE is required");
   explain::require_rules(arguments.options.allowed);
   arguments.scene->options.lint = true;
   lang::Loaded loaded = load_in_silence(*arguments.scene);
@@ -68,14 +67,19 @@ Action declare_lint(CLI::App& app) {
   app.add_option("--allow", arguments->options.allowed, "silences a rule (repeatable)")
       ->type_name("RULE")
       ->allow_extra_args(false);
-  app.add_flag("--rules", arguments->lists_rules, "lists the rules");
   app.add_option("--depth-share", arguments->options.depth_share,
                  "percentage of pixels that may lose light at max_depth (5)")
       ->type_name("PERCENT")
       ->check(CLI::Range(0.0, 100.0));
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.get_option("SCENE")->required(false);
+  app.add_flag_callback(
+      "--rules",
+      [&arguments = *arguments, scene = app.get_option("SCENE")] {
+        arguments.lists_rules = true;
+        scene->required(false);
+      },
+      "lists the rules");
   app.footer("A comment `// lint: allow RULE` silences the rule for its line.");
   return [arguments] { return run_lint(*arguments); };
 }

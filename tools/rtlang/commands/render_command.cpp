@@ -18,6 +18,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,7 +32,9 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 namespace rt::tools {
@@ -75,6 +78,16 @@ struct Output {
   ImageFormat format;
 };
 
+bool is_terminal(const std::string& path) {
+  if (path == "-") return ::isatty(STDOUT_FILENO) != 0;
+  std::error_code nothing_there;
+  if (!std::filesystem::is_character_file(path, nothing_there)) return false;
+  const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  const bool is_terminal = file >= 0 && ::isatty(file) != 0;
+  if (file >= 0) ::close(file);
+  return is_terminal;
+}
+
 /// Where the picture goes and as what. Without -o: a png in the current folder, named like the scene.
 std::vector<Output> outputs(const RenderArguments& arguments) {
   std::vector<std::string> paths = arguments.outputs;
@@ -83,7 +96,7 @@ std::vector<Output> outputs(const RenderArguments& arguments) {
     paths.push_back(std::filesystem::path(arguments.scene->path).stem().string() + ".png");
   }
   if (std::count(paths.begin(), paths.end(), "-") > 1) throw UsageError("only one picture can go to standard output");
-  if (std::count(paths.begin(), paths.end(), "-") == 1 && ::isatty(STDOUT_FILENO) != 0)
+  if (std::any_of(paths.begin(), paths.end(), is_terminal))
     throw UsageError("a terminal cannot show a picture file: say -o FILE, or pass it on with `| …` or `> FILE`");
   std::vector<Output> list;
   for (const std::string& path : paths) {
@@ -113,7 +126,7 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   return rect;
 }
 
-void write(const std::vector<Output>& list, const Film& film, int bits, const scene::Scene& scene,
+void write(const std::vector<Output>& list, const Rendered& rendered, int bits, const scene::Scene& scene,
            const std::string& hash) {
   const ObjectIds ids(scene);
   for (const Output& output : list) {
@@ -122,7 +135,12 @@ void write(const std::vector<Output>& list, const Film& film, int bits, const sc
     EncodeOptions options{bits,
                           {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}},
                           [&ids](std::uint32_t id) { return ids.name(id); }};
-    const std::string bytes = encode(film, output.format, options);
+    const std::string bytes = [&] {
+      // Nothing is half written yet. A part of a picture is wanted in spite of the signal that cut it.
+      std::optional<EndsAtOnce> encoding;
+      if (rendered.is_complete) encoding.emplace();
+      return encode(rendered.film, output.format, options);
+    }();
     if (output.path == "-")
       print(bytes);
     else
@@ -220,7 +238,7 @@ int run_render(const RenderArguments& arguments) {
 
   const Clock::time_point write_start = Clock::now();
   statistics.scene_hash = scene_hash(scene);
-  write(list, rendered.film, arguments.bits, scene, statistics.scene_hash);
+  write(list, rendered, arguments.bits, scene, statistics.scene_hash);
   statistics.write_seconds = seconds_since(write_start);
 
   statistics.scene = arguments.scene->path;

@@ -1,5 +1,7 @@
 #include "renderer/compile/aggregate.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <functional>
@@ -19,6 +21,17 @@ bool is_before(const void* leaves, std::uint32_t index, const RayHit& other) {
   return index < other.index;
 }
 
+double reach_of(const Box3& box) {
+  return box.is_empty() ? 0 : magnitude(max(abs(box.lower), abs(box.upper)));
+}
+
+// Of what stands in the instance, if that is not finite as a whole.
+double reach_of(const InstanceLeaves::Instance& instance) {
+  const double inner = instance.aggregate->reach();
+  if (instance.part_begin) return inner;
+  return reach_of(transform_box(instance.to_outer, {Vec3{-inner, -inner, -inner}, Vec3{inner, inner, inner}}));
+}
+
 template <class Leaves>
 void arrange(Leaves& leaves) {
   if constexpr (requires { leaves.arrange(); }) leaves.arrange();
@@ -28,13 +41,19 @@ void arrange(Leaves& leaves) {
 
 bool NearestQuery::offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind,
                          const void* leaves) {
-  if (best && hit.t == best.t) {
+  bool is_contested = false;
+  if (best && hit.t >= best.t) {
+    best.is_contested = true;
+    if (hit.t > best.t) return false;
     const std::uint32_t other = best.kind->tag(best.leaves, best.index).slot;
     const std::uint64_t order = base + aggregate.order(slot), best_order = best.base + best.aggregate->order(other);
     if (best_order < order || (best_order == order && !is_before(leaves, index, best))) return false;
+    is_contested = true;
+  } else if (best) {
+    is_contested = best.t <= slack.end(hit.t);
   }
-  interval.upper = hit.t;
-  best = {hit.t, hit.part, index, 0, false, &kind, leaves, &aggregate, base};
+  interval.upper = slack.end(hit.t);
+  best = {hit.t, hit.part, index, 0, false, is_contested, &kind, leaves, &aggregate, base};
   return true;
 }
 
@@ -43,7 +62,7 @@ void ShadowQuery::add_attenuation(double t, std::uint32_t slot, std::uint32_t se
 }
 
 void InspectQuery::add_hit(const Boundary& hit, std::uint32_t index, const LeafKind& kind, const void* leaves) {
-  hits->push_back({hit.t, hit.shape_part, index, hit.operand, hit.is_flipped, &kind, leaves, &aggregate, base});
+  hits->push_back({hit.t, hit.shape_part, index, hit.operand, hit.is_flipped, false, &kind, leaves, &aggregate, base});
 }
 
 void InspectQuery::add_around(std::uint32_t slot, double ior) {
@@ -166,6 +185,9 @@ void AggregateBuilder::build(const bvh::Device& device) {
     for (std::uint32_t i = 0; i < leaves.size(); ++i) box.extend(leaves.bounds(i));
     count += leaves.size();
   });
+  a.reach_ = reach_of(box);
+  const auto& unbounded = a.unbounded_.all<InstanceLeaves>();
+  for (std::uint32_t i = 0; i < unbounded.size(); ++i) a.reach_ = std::max(a.reach_, reach_of(unbounded.instance(i)));
   add_loose(a.unbounded_);
   if (count == 0) return;
   const bool has_large = a.bounded_.all<InstanceLeaves>().size() + a.bounded_.all<SolidLeaves>().size() > 0;

@@ -64,6 +64,8 @@ public:
 
   /// The box around its leaves: empty maybe; infinite where they are.
   const Box3& box() const { return box_; }
+  /// How far from the origin what is finite in it reaches, coordinates added up: what rounding errors follow from.
+  double reach() const { return reach_; }
 
   /// Calls f with each set of its leaves.
   template <class F>
@@ -116,6 +118,7 @@ private:
   bvh::Tree tree_; // over the first, unless they are loose as well
   std::vector<LooseLeaf> loose_leaves_;
   Box3 box_;
+  double reach_ = 0;
   std::uint64_t object_count_ = 0;
   std::vector<Step> steps_; // by slot
   std::vector<Run> runs_;   // by slot

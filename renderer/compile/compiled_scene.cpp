@@ -2,11 +2,13 @@
 
 #include "renderer/compile/aggregate.hpp"
 #include "renderer/compile/compile.hpp"
+#include "renderer/math/rounding.hpp"
 #include "renderer/math/static_vector.hpp"
 #include "renderer/scene/validation/validate.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -44,10 +46,6 @@ LeafSurface surface_in(const Aggregate& aggregate, const MaterialBindings& bindi
   settle_medium(s, bindings, hit, binding);
   if (s.shading_normal) s.shading_normal->carry(instance.to_outer);
   return s;
-}
-
-std::uint64_t order_of(const RayHit& hit) {
-  return hit.base + hit.aggregate->order(hit.kind->tag(hit.leaves, hit.index).slot);
 }
 
 // What attenuations leave of light. They were found in no particular order, and a product's rounding depends on it.
@@ -96,9 +94,13 @@ Color CompiledScene::sky_light(const Vec3& direction) const {
   return sum;
 }
 
+Slack CompiledScene::slack(const Ray& ray) const {
+  return {0x1p-30 * (magnitude(ray.origin) + root_->reach())};
+}
+
 RayHit CompiledScene::nearest(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   RayHit hit;
-  NearestQuery query(ray, range, *root_, 0, hit, scratch);
+  NearestQuery query(ray, range, slack(ray), *root_, 0, hit, scratch);
   root_->nearest(query);
   return hit;
 }
@@ -115,7 +117,7 @@ void CompiledScene::nearest(std::span<const Ray> rays, const Interval& range, st
   std::array<bvh::Query*, bvh::packet_size> packet;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {};
-    packet[i] = &queries.add([&] { return NearestQuery(rays[i], range, *root_, 0, hits[i], scratch); });
+    packet[i] = &queries.add([&] { return NearestQuery(rays[i], range, slack(rays[i]), *root_, 0, hits[i], scratch); });
   }
   root_->nearest(std::span(packet).first(rays.size()));
 }
@@ -179,7 +181,7 @@ Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
   const LeafSurface s = surface_in(*root_, bindings, ray, hit, 0);
   const Vec3& normal = s.point.normal;
   return {s.point.position, normal,           s.shading_normal ? s.shading_normal->value(normal) : normal,
-          s.point.error,    order_of(hit),    bindings.material(s.binding),
+          s.point.error,    order(hit),       bindings.material(s.binding),
           s.pattern_point,  s.ior.value_or(1)};
 }
 
@@ -191,17 +193,34 @@ bool CompiledScene::uses_ior() const {
   return bindings_->uses_ior();
 }
 
-std::vector<RayHit> CompiledScene::all_hits(const Ray& ray, const Interval& range) const {
-  TraceScratch scratch;
-  std::vector<RayHit> hits;
+std::uint64_t CompiledScene::order(const RayHit& hit) const {
+  return hit.base + hit.aggregate->order(hit.kind->tag(hit.leaves, hit.index).slot);
+}
+
+void CompiledScene::inspect(const Ray& ray, const Interval& range, TraceScratch& scratch,
+                            std::vector<RayHit>& hits) const {
   const MaterialBindings& bindings = *bindings_;
   InspectQuery query(ray, range, *root_, 0, bindings, {bindings.default_binding(), &ray}, scratch);
   query.inspects = true;
   query.hits = &hits;
   root_->blocks(query);
-  std::stable_sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
-    return std::tuple(a.t, order_of(a), a.leaves, a.index) < std::tuple(b.t, order_of(b), b.leaves, b.index);
+  std::stable_sort(hits.begin(), hits.end(), [&](const RayHit& a, const RayHit& b) {
+    return std::tuple(a.t, order(a), a.leaves, a.index) < std::tuple(b.t, order(b), b.leaves, b.index);
   });
+}
+
+std::span<const RayHit> CompiledScene::hits_near(const Ray& ray, const Interval& range, const RayHit& nearest,
+                                                 TraceScratch& scratch) const {
+  scratch.hits.clear();
+  const double end = slack(ray).end(nearest.t), before = std::nextafter(2 * nearest.t - end, -end);
+  inspect(ray, {std::max(range.lower, before), std::min(range.upper, end)}, scratch, scratch.hits);
+  return scratch.hits;
+}
+
+std::vector<RayHit> CompiledScene::all_hits(const Ray& ray, const Interval& range) const {
+  TraceScratch scratch;
+  std::vector<RayHit> hits;
+  inspect(ray, range, scratch, hits);
   return hits;
 }
 

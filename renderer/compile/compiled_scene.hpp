@@ -20,6 +20,7 @@ struct CompiledObjects;
 class MaterialBindings;
 struct MaterialValues;
 struct Part;
+struct Slack;
 
 /// A ray to a light, in a packet.
 struct ShadowRay {
@@ -64,10 +65,17 @@ public:
   /// Each ray uses the scratch of its place.
   void transmittance(std::span<const ShadowRay> rays, std::span<TraceScratch> scratch) const;
 
-  /// The same from surface to surface, where one counts only if it is more than `gap` behind the one before (or the
-  /// ray's origin), as POV-Ray goes. Slow: for explaining single pixels.
+  /// The hits in the same place as `nearest`, the nearest one in `range`, or just behind it, itself among them; sorted
+  /// as `all_hits`. They are kept in the scratch.
+  std::span<const RayHit> hits_near(const Ray& ray, const Interval& range, const RayHit& nearest,
+                                    TraceScratch& scratch) const;
+
+  /// `transmittance` from surface to surface, where one counts only if it is more than `gap` behind the one before (or
+  /// the ray's origin), as POV-Ray goes. Slow: for explaining single pixels.
   Color transmittance_by_steps(const Ray& ray, double end, double gap) const;
 
+  /// `Surface::order` of what was hit.
+  std::uint64_t order(const RayHit& hit) const;
   /// What is to be known of a hit of `ray`.
   Surface surface(const Ray& ray, const RayHit& hit) const;
   /// The material there, patterns evaluated. `scratch` holds the values where they are not constant.
@@ -104,6 +112,8 @@ public:
 
 private:
   void add_lights(const scene::Scene& scene);
+  Slack slack(const Ray& ray) const;
+  void inspect(const Ray& ray, const Interval& range, TraceScratch& scratch, std::vector<RayHit>& hits) const;
   Color sky_light(const Vec3& direction) const;
 
   std::shared_ptr<const bvh::Device> device_;

@@ -18,6 +18,7 @@ struct RayHit {
   std::uint32_t index = 0;        ///< of the leaf, in its set
   std::uint32_t operand = 0;      ///< of a combination
   bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
+  bool is_contested = false;      ///< another is so near behind it that rounding may have decided: see touching.hpp
   const LeafKind* kind = nullptr; ///< null: no hit
   const void* leaves = nullptr;   ///< the set
   const Aggregate* aggregate = nullptr;
@@ -48,6 +49,7 @@ struct TraceScratch {
   std::vector<Boundary> boundaries; ///< used as a stack
   std::vector<std::uint32_t> operands;
   std::vector<ShadowAttenuation> attenuations;
+  std::vector<RayHit> hits;
 };
 
 } // namespace rt

@@ -12,15 +12,24 @@
 /// What travels through the trees of a compiled scene.
 namespace rt {
 
-/// Looks for the nearest hit.
+/// How far behind the nearest hit another one may lie and still be in the same place, up to rounding: far beyond the
+/// bounds of the errors, unless the ray all but grazes the surfaces. What is so near is looked at closely.
+struct Slack {
+  double fixed = 0; ///< for the ray's origin and the extent of the scene
+  double end(double t) const { return t + t * 0x1p-30 + fixed; }
+};
+
+/// Looks for the nearest hit, and for others that contest it.
 struct NearestQuery : bvh::Query {
-  NearestQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, RayHit& h, TraceScratch& s)
-      : Query(r, i), aggregate(a), base(b), best(h), scratch(s) {}
+  NearestQuery(const Ray& r, const Interval& i, const Slack& near, const Aggregate& a, std::uint64_t b, RayHit& h,
+               TraceScratch& s)
+      : Query(r, i), slack(near), aggregate(a), base(b), best(h), scratch(s) {}
 
   /// Accepts the hit unless there is an equally near one on an object that was declared before, or on a leaf of the
   /// same object that comes before. False: it was not accepted.
   bool offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind, const void* leaves);
 
+  Slack slack;                ///< of the whole scene's ray: t is the same in all spaces
   const Aggregate& aggregate; ///< whose tree it is in
   std::uint64_t base;         ///< the order of the aggregate's first object, in this instance of it
   RayHit& best;               ///< of the whole scene so far

@@ -70,8 +70,9 @@ private:
   void start(StaticVector<PathState, Size>& paths, const Ray& ray, const std::vector<Medium>& inside) {
     ++counts_.camera;
     MediumStacks& media = stacks_[paths.size()];
+    Contacts& contacts = contacts_[paths.size()];
     media.release(0);
-    paths.add([&] { return PathState{RayKind::camera, ray, media.make(inside), &media}; });
+    paths.add([&] { return PathState{RayKind::camera, ray, media.make(inside), &media, 0, &contacts}; });
   }
 
   // Gathers what comes in along the paths, which are of one depth.
@@ -111,26 +112,61 @@ private:
   template <std::size_t Size>
   void intersect(std::span<PathState* const> paths, StaticVector<Interaction, Size>& interactions) {
     StaticVector<RayHit, Size> hits;
-    if (Size > 1 && paths.size() >= least_batch) {
+    if (Size > 1 && paths.size() >= least_batch && std::ranges::none_of(paths, is_in_contact)) {
       StaticVector<Ray, Size> rays;
       for (const PathState* path : paths) rays.add([&] { return path->ray; }), hits.add([] { return RayHit{}; });
       scene_.nearest(rays, Rules::hit_range(), hits, scratch_[0]);
     } else {
       for (const PathState* path : paths)
-        hits.add([&] { return scene_.nearest(path->ray, Rules::hit_range(), scratch_[0]); });
+        hits.add([&] {
+          return is_in_contact(path) ? RayHit{} : scene_.nearest(path->ray, Rules::hit_range(), scratch_[0]);
+        });
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
       PathState& path = *paths[i];
-      if (hits[i]) {
-        MaterialValues& values = values_[interactions.size()];
-        Interaction& at = interactions.add([&] {
-          return Interaction{&path, hits[i].t, scene_.surface(path.ray, hits[i])};
-        });
-        model_.arrive(at, hits[i], scene_.values(at.surface, values));
+      if (Rules::joins_touching && (hits[i].is_contested || is_in_contact(&path))) [[unlikely]] {
+        meet_touching(path, hits[i], interactions);
+      } else if (hits[i]) {
+        arrive(
+            path, hits[i], [&] { return scene_.surface(path.ray, hits[i]); }, interactions);
       } else {
         model_.escape(path);
       }
     }
+  }
+
+  static bool is_in_contact(const PathState* path) { return path->contact.is_inside(); }
+
+  template <std::size_t Size, class MakeSurface>
+  void arrive(PathState& path, const RayHit& hit, MakeSurface&& surface,
+              StaticVector<Interaction, Size>& interactions) {
+    MaterialValues& values = values_[interactions.size()];
+    Interaction& at = interactions.add([&] { return Interaction{&path, hit.t, surface()}; });
+    model_.arrive(at, hit, scene_.values(at.surface, values));
+  }
+
+  // The next of touching surfaces that the path is among; or what it meets at a hit that is contested.
+  template <std::size_t Size>
+  [[gnu::noinline]] void meet_touching(PathState& path, RayHit hit, StaticVector<Interaction, Size>& interactions) {
+    Contacts& contacts = *path.contacts;
+    for (Interval rest = Rules::hit_range(); !is_in_contact(&path);) {
+      if (!hit) return model_.escape(path);
+      if (!hit.is_contested)
+        return arrive(
+            path, hit, [&] { return scene_.surface(path.ray, hit); }, interactions);
+      path.contact =
+          contacts.meet(scene_, path.ray, rest, hit, path.inside, *path.media, path.contacts_from, scratch_[0]);
+      if (is_in_contact(&path)) {
+        model_.touch(contacts);
+      } else {
+        rest.lower = contacts.end();
+        hit = scene_.nearest(path.ray, rest, scratch_[0]);
+      }
+    }
+    const ContactSurface met = contacts.surface(path.contact);
+    if (path.contact.count == 1) path.contact = {};
+    arrive(
+        path, met.hit, [&] { return met.surface; }, interactions);
   }
 
   // Whether the rays of a batch are still close to one another where they meet surfaces. It decides about speed alone.
@@ -176,6 +212,11 @@ private:
       Rules::transmit(scene_, rays, scratch_);
     else
       for (const ShadowRay& ray : rays) Rules::transmit(scene_, std::span(&ray, 1), scratch_);
+    for (std::size_t i = 0; i < interactions.size(); ++i) {
+      const PathState& path = *interactions[i].path;
+      if (is_in_contact(&path)) [[unlikely]]
+        direct[i].transmittance *= path.contacts->transmittance(scene_, path.contact, direct[i].sample.to_light);
+    }
   }
 
   // Adds what comes in by mirrored rays, and by refracted ones where they are bent. `going` becomes the paths that go
@@ -234,7 +275,9 @@ private:
   template <std::size_t Size>
   bool transmit(const Scattering& s, int depth, RayBatch<Size>& batch) {
     ++counts_.refracted;
-    const PathState& path = *s.at->path;
+    PathState& path = *s.at->path;
+    if (is_in_contact(&path)) [[unlikely]]
+      return transmit_in_contact(s, depth, batch);
     const MediumStacks::List behind = path.media->after(path.inside, s.medium, path.owned_from);
     if (!s.terms.is_bent) return model_.transmit_straight(s, behind, depth);
     add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
@@ -242,11 +285,31 @@ private:
   }
 
   template <std::size_t Size>
+  [[gnu::noinline]] bool transmit_in_contact(const Scattering& s, int depth, RayBatch<Size>& batch) {
+    PathState& path = *s.at->path;
+    const MediumStacks::List behind = path.contacts->behind(path.contact);
+    if (s.terms.is_bent) {
+      add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
+      return false;
+    }
+    if (!model_.transmit_straight(s, behind, depth)) return false;
+    const Contacts::Position met = path.contact;
+    path.contact = path.contacts->after(met, path.ray.direction);
+    if (!is_in_contact(&path)) path.inside = path.contacts->leave(met, behind, *path.media, path.owned_from);
+    return true;
+  }
+
+  template <std::size_t Size>
   static void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, const Ray& ray, const Color& weight,
                   MediumStacks::List inside) {
     const PathState& from = *s.at->path;
     batch.from[batch.paths.size()] = &s;
-    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.media}; });
+    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.media, 0, from.contacts}; });
+    path.contacts_from = from.contacts_from;
+    if (is_in_contact(&from)) [[unlikely]] {
+      path.contact = from.contacts->after(from.contact, ray.direction);
+      path.contacts_from = from.contact.begin + from.contact.count;
+    }
     if constexpr (Model::is_recorded) path.weight = from.weight * from.passed * weight;
   }
 
@@ -254,6 +317,7 @@ private:
   Model model_;
   const std::atomic<bool>* stop_;
   std::array<MediumStacks, camera_batch_size> stacks_; // by the place of the camera's ray in its batch
+  std::array<Contacts, camera_batch_size> contacts_;
   std::array<TraceScratch, camera_batch_size> scratch_;
   std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; they serve until rays branch
   RayCounts counts_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/contacts.hpp"
 #include "renderer/integrators/recorder.hpp"
 #include "renderer/shading/whitted_bsdf.hpp"
 
@@ -12,6 +13,9 @@ struct PathState {
   MediumStacks::List inside;    ///< the solids that the ray is inside of
   MediumStacks* media;          ///< where that list is
   std::uint32_t owned_from = 0; ///< lists from there on are this ray's own
+  Contacts* contacts;
+  Contacts::Position contact{};    ///< where it is among surfaces that touch
+  std::uint32_t contacts_from = 0; ///< surfaces stored from there on are not needed by those it comes from
   Color sum = black;
   Color passed = white; ///< what surfaces that were crossed unbent let by
   Color weight = white; ///< of its light in the camera ray's; for recorders only

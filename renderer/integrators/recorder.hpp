@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/integrators/contacts.hpp"
 #include "renderer/shading/lights.hpp"
 #include "renderer/shading/media.hpp"
 #include "renderer/shading/whitted_bsdf.hpp"
@@ -30,6 +30,11 @@ struct NoRecorder {
   void end_ray(const Color& /*radiance*/) {}
   void miss(const Color& /*background*/) {}
   void too_deep() {}
+  /// Before `surface`: all that is in one place, of which light takes a part into account. If that is several, they are
+  /// met one after the other, each as a surface of its own.
+  void touching(const std::vector<MetSurface>&) {}
+  /// Before `surface`: it is one of several that touch, or (outside of any contact) it is none.
+  void contact(const Contacts&, const Contacts::Position&) {}
   /// `normal` is the shading normal, turned to the viewer.
   void surface(const RayHit&, const Surface&, const MaterialValues&, const Vec3& /*normal*/) {}
   void own_light(const Color& /*ambient*/, const Color& /*emission*/) {}

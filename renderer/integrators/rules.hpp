@@ -35,6 +35,9 @@ struct OwnRules {
       scene.transmittance(rays, scratch);
   }
 
+  /// Surfaces that touch are one event.
+  static constexpr bool joins_touching = true;
+
   /// How the ratio of two indices is rounded: not at all.
   static double eta(double ratio, bool /*touches_void*/) { return ratio; }
 };
@@ -54,6 +57,9 @@ struct PovrayRules {
     for (const ShadowRay& ray : rays)
       *ray.transmittance = scene.transmittance_by_steps(ray.ray, ray.range.upper, ray.range.lower);
   }
+
+  /// Of surfaces that touch, rounding decides which a ray meets, and it misses those that it starts on.
+  static constexpr bool joins_touching = false;
 
   /// Between two solids in 32 bits, between a solid and the void in 64.
   static double eta(double ratio, bool touches_void) { return touches_void ? ratio : static_cast<float>(ratio); }

@@ -37,8 +37,12 @@ public:
     const double approach = dot(at.surface.shading_normal, at.path->ray.direction);
     at.normal = approach > 0 ? -at.surface.shading_normal : at.surface.shading_normal;
     at.cosine = std::abs(approach);
+    recorder_.contact(*at.path->contacts, at.path->contact);
     recorder_.surface(hit, at.surface, values, at.normal);
   }
+
+  /// The path has come to a place where surfaces touch.
+  void touch(const Contacts& contacts) { recorder_.touching(contacts.met()); }
 
   void add_own_light(Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
@@ -70,11 +74,15 @@ public:
     const MediumStacks::List inside = at.path->inside;
     Scattering s{&at, {at.surface.order, at.surface.ior}};
     double fresnel_eta = 1;
-    if (at.bsdf.is_transparent()) {
+    if (at.path->contact.is_inside()) {
+      s.transition = at.path->contacts->transition(at.path->contact, media);
+      s.eta = s.transition.eta();
+      fresnel_eta = 1 / s.eta;
+    } else if (at.bsdf.is_transparent()) {
       s.transition = media.transition(inside, s.medium);
       s.eta = Rules::eta(s.transition.eta(), touches_void(s.transition, inside));
     }
-    if (at.bsdf.is_mirror() && v.fresnel)
+    if (at.bsdf.is_mirror() && v.fresnel && !at.path->contact.is_inside())
       fresnel_eta =
           Rules::eta(media.fresnel_eta(inside, s.medium), touches_void(media.transition(inside, s.medium), inside));
     s.terms = at.bsdf.specular(at.cosine, s.eta, fresnel_eta);

@@ -1,11 +1,12 @@
 #include "renderer/render/picture_job.hpp"
 
-#include "renderer/compile/compiled_scene.hpp"
+#include "renderer/compile/touching.hpp"
 #include "renderer/shading/materials.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 namespace rt {
 namespace {
@@ -76,13 +77,13 @@ void PictureJob::trace(Integrator::Worker& tracer, std::span<const Ray> rays, st
 void PictureJob::trace_layers(int x, int y, TraceScratch& scratch) const {
   if (!options_.layers) return;
   const Ray ray = camera_.ray(x + 0.5, y + 0.5);
-  const RayHit hit = scene_.nearest(ray, {}, scratch);
-  if (!hit) return;
+  const std::optional<MetSurface> first = first_surface(scene_, ray, {}, scratch);
+  if (!first) return;
   const std::size_t i = index(x, y);
-  const Surface surface = scene_.surface(ray, hit);
+  const Surface& surface = first->surface;
   MaterialValues values;
   const Vec3 n = surface.shading_normal;
-  film_.depth[i] = hit.t;
+  film_.depth[i] = first->hit.t;
   film_.normal[i] = to_single(dot(n, ray.direction) > 0 ? -n : n);
   film_.position[i] = to_single(surface.point);
   film_.object_id[i] = static_cast<std::uint32_t>(surface.order + 1);

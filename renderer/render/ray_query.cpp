@@ -1,23 +1,38 @@
 #include "renderer/render/ray_query.hpp"
 
+#include "renderer/compile/touching.hpp"
+
 #include <cmath>
 
 namespace rt {
 
 RayQuery::RayQuery(const scene::Scene& scene, int threads, HitRules rules)
-    : scene_(scene, threads, bvh::default_builder, rules), camera_(scene.camera, scene.size),
+    : rules_(rules), scene_(scene, threads, bvh::default_builder, rules), camera_(scene.camera, scene.size),
       sampler_(scene::whitted_samples(scene)) {}
 
 std::optional<HitReport> RayQuery::nearest(const Ray& ray, const Interval& range) const {
   TraceScratch scratch;
+  if (rules_ == HitRules::own) {
+    const auto first = first_surface(scene_, ray, range, scratch);
+    if (!first) return std::nullopt;
+    return report(ray, first->hit, first->surface);
+  }
   const RayHit hit = scene_.nearest(ray, range, scratch);
   if (!hit) return std::nullopt;
-  return report(ray, hit);
+  return report(ray, hit, scene_.surface(ray, hit));
 }
 
 std::vector<HitReport> RayQuery::all_hits(const Ray& ray, const Interval& range) const {
   std::vector<HitReport> reports;
-  for (const RayHit& hit : scene_.all_hits(ray, range)) reports.push_back(report(ray, hit));
+  std::size_t first = 0; // in its place
+  for (const RayHit& hit : scene_.all_hits(ray, range)) {
+    HitReport& r = reports.emplace_back(report(ray, hit, scene_.surface(ray, hit)));
+    if (reports.size() == 1) continue;
+    r.place = reports[first].place;
+    if (touch(r, reports[first])) continue;
+    ++r.place;
+    first = reports.size() - 1;
+  }
   return reports;
 }
 
@@ -37,9 +52,9 @@ Ray RayQuery::unit(const Ray& ray) {
   return {ray.origin, normalize(ray.direction)};
 }
 
-HitReport RayQuery::report(const Ray& ray, const RayHit& hit) const {
+HitReport RayQuery::report(const Ray& ray, const RayHit& hit, const Surface& surface) const {
   HitReport report;
-  static_cast<Surface&>(report) = scene_.surface(ray, hit);
+  static_cast<Surface&>(report) = surface;
   report.t = hit.t;
   report.distance = hit.t * length(ray.direction);
   report.enters = dot(report.geometric_normal, ray.direction) < 0;

@@ -17,6 +17,7 @@ struct HitReport : Surface {
   std::vector<std::uint32_t> path; ///< positions in the scene's objects, in that group's members and so on; within a
                                    ///< combination, down to the operand whose surface it is
   MaterialValues material;         ///< with patterns evaluated
+  std::size_t place = 0;           ///< of `all_hits`, from 0: surfaces that touch are in one place
 };
 
 /// A scene that was compiled once, for questions about single rays. It can be asked from several threads at a time.
@@ -30,7 +31,7 @@ public:
   /// The scene's camera: its rays through any point of the picture and for the samples of a pixel.
   const CameraRays& camera() const { return camera_; }
 
-  /// The nearest hit in `range` (of t), if there is one.
+  /// The nearest hit in `range` (of t), if there is one: what the picture shows first, where surfaces touch.
   std::optional<HitReport> nearest(const Ray& ray, const Interval& range = {}) const;
   /// All of them, from near to far, equal ones in the order of declaration.
   std::vector<HitReport> all_hits(const Ray& ray, const Interval& range = {}) const;
@@ -58,8 +59,9 @@ public:
   const CompiledScene& scene() const { return scene_; }
 
 private:
-  HitReport report(const Ray& ray, const RayHit& hit) const;
+  HitReport report(const Ray& ray, const RayHit& hit, const Surface& surface) const;
 
+  HitRules rules_;
   CompiledScene scene_;
   CameraRays camera_;
   Sampler sampler_;

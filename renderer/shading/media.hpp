@@ -14,7 +14,12 @@ struct Medium {
 
 /// What passing a surface does to the list of solids that a ray is inside of.
 struct MediumTransition {
-  enum class Kind : std::uint8_t { entering, leaving, leaving_outer };
+  enum class Kind : std::uint8_t {
+    entering,
+    leaving,
+    entering_outer, ///< together with a solid that lies within the one entered
+    leaving_outer   ///< while inside of another that was entered later
+  };
   Kind kind = Kind::entering;
   double ior_from = 1, ior_to = 1;
   double eta() const { return ior_from / ior_to; }
@@ -34,6 +39,13 @@ public:
 
   const Medium* begin(List list) const { return storage_.data() + list.begin; }
   const Medium* end(List list) const { return begin(list) + list.size; }
+  bool holds(List list, std::uint64_t id) const { return place(list, id) < list.size; }
+  /// How many solids of the list are around that one; its size where it is not in it.
+  std::uint32_t place(List list, std::uint64_t id) const {
+    std::uint32_t i = 0;
+    while (i < list.size && storage_[list.begin + i].id != id) ++i;
+    return i;
+  }
   double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
 
   List make(std::span<const Medium> media) {
@@ -45,7 +57,7 @@ public:
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.
   MediumTransition transition(List list, const Medium& it) const {
-    const std::uint32_t i = find(list, it.id);
+    const std::uint32_t i = place(list, it.id);
     if (i == list.size) return {MediumTransition::Kind::entering, top_ior(list), it.ior};
     if (i + 1 == list.size) return {MediumTransition::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
     return {MediumTransition::Kind::leaving_outer, top_ior(list), top_ior(list)};
@@ -54,18 +66,19 @@ public:
   /// whatever was made after it; others are copied if need be.
   List after(List list, const Medium& it, std::uint32_t owned_from);
 
+  /// What passing from one list to one that has `it` more or less does; `it` need not be the innermost.
+  MediumTransition transition(List before, List behind, const Medium& it) const;
+  /// New lists: with one more solid, inside of the first `around` ones; and without one that it holds.
+  List with(List list, std::uint32_t around, const Medium& it);
+  List without(List list, std::uint64_t id);
+  /// The list moved down to `begin`, where what is not needed any more begins. What came after it is given back.
+  List moved(List list, std::uint32_t begin);
+
   /// ior of the other side by that of this side, as Fresnel's equation is given it: what lies behind a solid in the
   /// list is the innermost one, or nothing if it is alone.
   double fresnel_eta(List list, const Medium& it) const;
 
 private:
-  // Its place; list.size where it is not.
-  std::uint32_t find(List list, std::uint64_t id) const {
-    std::uint32_t i = 0;
-    while (i < list.size && storage_[list.begin + i].id != id) ++i;
-    return i;
-  }
-
   std::vector<Medium> storage_;
 };
 

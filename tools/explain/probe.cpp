@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rt::tools::explain {
 namespace {
 
@@ -36,6 +38,13 @@ std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
   return text;
 }
 
+// Of a hit that is not the first in its place.
+std::string place_text(const std::vector<HitReport>& hits, std::size_t i) {
+  if (i == 0 || hits[i - 1].place != hits[i].place) return "";
+  const auto first = std::ranges::find(hits, hits[i].place, &HitReport::place);
+  return fmt::format(", in one place with hit {}", first - hits.begin() + 1);
+}
+
 json hit_json(const scene::Scene& scene, const HitReport& hit) {
   const MaterialValues& m = hit.material;
   return {{"objects", objects_json(scene, hit.path)},
@@ -45,6 +54,7 @@ json hit_json(const scene::Scene& scene, const HitReport& hit) {
           {"normal", to_json(hit.geometric_normal)},
           {"shading_normal", to_json(hit.shading_normal)},
           {"enters", hit.enters},
+          {"place", hit.place},
           {"material",
            {{"color", to_json(m.color)},
             {"ambient", to_json(m.ambient)},
@@ -83,7 +93,7 @@ std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std
       fmt::format("{}: from {} along {}\n", ray.name, text_of(ray.ray.origin), text_of(ray.ray.direction));
   if (hits.empty()) return text + "  hits nothing: the background is seen\n";
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (all) text += fmt::format("hit {} of {}\n", i + 1, hits.size());
+    if (all) text += fmt::format("hit {} of {}{}\n", i + 1, hits.size(), place_text(hits, i));
     text += hit_text(scene, hits[i]);
   }
   return text;

@@ -71,12 +71,9 @@ std::span<const Code> lint() {
        "`look_at` was left out, which is the origin then.",
        "sphere { at: [0, 0, 9] }\ncamera { at: [0, 0, 4], look_at: [0, 0, 0] }\nsun {}",
        "sphere { at: [0, 0, 0] }\ncamera { at: [0, 0, 4], look_at: [0, 0, 0] }\nsun {}"},
-      {"W0205", "Two surfaces coincide",
-       "Two surfaces lie exactly in each other, and look different. Which of them is seen is decided by the order of "
-       "declaration and, "
-       "where they are computed in different ways, by rounding, pixel by pixel. Where one of them is transparent, the "
-       "ray that goes "
-       "through it misses the other. Move one of them by a little, or make one solid of both.",
+      {"W0205", "Two opaque surfaces coincide",
+       "Two opaque surfaces lie exactly in each other, and look different. Only the one that is placed first is seen. "
+       "Move one of them by a little, or place the one that is to be seen first.",
        "box { from: [-3, -1, -3], to: [3, 0, 3], material: green }\nbox { from: [-1, -1, -1], to: [1, 0, 1], material: "
        "red }\n"
        "camera { at: [0, 4, 6], look_at: [0, 0, 0] }\nsun {}",

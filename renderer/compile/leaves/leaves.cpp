@@ -31,11 +31,14 @@ private:
 void SolidLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const PlacedSolid& placed = solids_[i];
   const Ray ray = placed.is_in_place ? query.ray : placed.to_local.ray(query.ray);
-  for (const Boundary& b : Boundaries(*placed.solid, ray, query.scratch)) {
-    if (!query.interval.contains(b.t)) continue;
-    if (query.offer({b.t, b.shape_part}, tags_[i].slot, i, leaf_kind<SolidLeaves>, this)) {
-      query.best.operand = b.operand;
-      query.best.is_flipped = b.is_flipped;
+  const Boundaries boundaries(*placed.solid, ray, query.scratch);
+  for (auto b = boundaries.begin(); b != boundaries.end(); ++b) {
+    if (!query.interval.contains(b->t)) continue;
+    if (query.offer({b->t, b->shape_part}, tags_[i].slot, i, leaf_kind<SolidLeaves>, this)) {
+      query.best.operand = b->operand;
+      query.best.is_flipped = b->is_flipped;
+      // A seam between parts that touch.
+      if (b + 1 != boundaries.end() && (b + 1)->t <= query.slack.end(b->t)) query.best.is_contested = true;
     }
     return;
   }
@@ -102,7 +105,7 @@ Box3 InstanceLeaves::bounds(std::uint32_t i) const {
 
 void InstanceLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const Instance& instance = instances_[i];
-  NearestQuery inner(instance.part_begin ? query.ray : instance.to_local.ray(query.ray), query.interval,
+  NearestQuery inner(instance.part_begin ? query.ray : instance.to_local.ray(query.ray), query.interval, query.slack,
                      *instance.aggregate, query.base + instance.order, query.best, query.scratch);
   instance.aggregate->nearest(inner);
   query.interval.upper = inner.interval.upper;

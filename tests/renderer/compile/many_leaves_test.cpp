@@ -41,7 +41,7 @@ struct CubeBetweenSpheres {
   RayHit nearest(const Ray& ray, const Interval& range = {}) const {
     RayHit hit;
     TraceScratch scratch;
-    NearestQuery query(ray, range, aggregate, 0, hit, scratch);
+    NearestQuery query(ray, range, {}, aggregate, 0, hit, scratch);
     aggregate.nearest(query);
     return hit;
   }

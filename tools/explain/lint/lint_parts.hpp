@@ -41,11 +41,10 @@ struct LightTally {
   std::map<Line, std::uint64_t> blockers; ///< of some of those
 };
 
-/// Two surfaces in one place.
+/// Two opaque surfaces in one place that look different.
 struct Coincidence {
   std::uint64_t count = 0;
   std::string first, second; ///< what they are called
-  bool is_through = false;   ///< one of them lets light through
 };
 
 /// What a sample of the pixels shows with all its reflections, refractions and shadows.

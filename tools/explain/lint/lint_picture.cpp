@@ -79,11 +79,10 @@ void find_coincidences(LintContext& context) {
     if (c.count < least_evidence) continue;
     lang::Diagnostic& d = context.findings.warn(lang::lint_rule::coincident, lines.second,
                                                 fmt::format("{} and {} share a surface", c.second, c.first));
-    d.label = c.is_through ? "rays through one of them miss the other, pixel by pixel"
-                           : "rounding decides which of the two is seen";
+    d.label = "of the two only the one placed first is seen";
     if (lines.first != lines.second) d.notes.push_back(context.findings.note(lines.first, "the other one is here"));
     d.notes.push_back(
-        {std::nullopt, "move one of them slightly, for example by 0.001, or combine them into one solid"});
+        {std::nullopt, "move one of them slightly, for example by 0.001, or place the one to be seen first"});
   }
 }
 

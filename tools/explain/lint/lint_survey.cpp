@@ -100,11 +100,12 @@ struct Listener : NoRecorder {
       if (other.order == surface.order) continue;
       const double cosine = dot(other.geometric_normal, surface.geometric_normal);
       if (std::abs(cosine) < 1 - 1e-6) continue;
-      const bool is_through = values.refract > 0 || other.material.refract > 0;
-      if (!is_through && (cosine < 0 || looks_alike(values, other.material))) continue;
+      // Light that passes one of them passes both in the same way; of opaque ones it matters which is seen.
+      if (values.refract > 0 || other.material.refract > 0) continue;
+      if (cosine < 0 || looks_alike(values, other.material)) continue;
       const HitReport* mine = of_order(hits, surface.order);
       if (!mine || !coincides_beside(*mine, other, direction)) continue;
-      add(*mine, other, is_through);
+      add(*mine, other);
       return;
     }
   }
@@ -130,13 +131,12 @@ struct Listener : NoRecorder {
     return true;
   }
 
-  void add(const HitReport& a, const HitReport& b, bool is_through) {
+  void add(const HitReport& a, const HitReport& b) {
     const scene::Object* first = &thing_of(objects_on(context.scene, a.path));
     const scene::Object* second = &thing_of(objects_on(context.scene, b.path));
     if (line_of(second->origin) < line_of(first->origin)) std::swap(first, second);
     Coincidence& c = survey.coincidences[{line_of(first->origin), line_of(second->origin)}];
     if (c.count++ == 0) c.first = context.findings.name(*first), c.second = context.findings.name(*second);
-    c.is_through |= is_through;
   }
 
   const LintContext& context;
@@ -164,7 +164,6 @@ void merge(LintSurvey& all, const LintSurvey& part) {
     Coincidence& to = all.coincidences[lines];
     if (to.count == 0) to.first = c.first, to.second = c.second;
     to.count += c.count;
-    to.is_through |= c.is_through;
   }
 }
 

@@ -39,6 +39,17 @@ public:
     if (is_expanded()) open_.back()->end = RayNode::End::too_deep;
   }
 
+  void touching(const std::vector<MetSurface>& met) {
+    if (!is_expanded() || met.size() < 2) return;
+    for (const MetSurface& m : met) touching_.push_back(scene_.path(m.hit));
+  }
+
+  void contact(const Contacts& contacts, const Contacts::Position& position) {
+    contacts_ = &contacts;
+    position_ = position;
+    if (position.is_inside()) next_ = contacts.surface(position).ray;
+  }
+
   void surface(const RayHit& hit, const Surface& surface, const MaterialValues& values, const Vec3& normal) {
     if (!is_expanded()) return;
     if (surfaces_left_ > 0) --surfaces_left_;
@@ -50,6 +61,8 @@ public:
     node.material = values;
     node.normal = normal;
     node.passed = passed_.back();
+    node.touching = std::move(touching_);
+    touching_.clear();
     open_.back()->surfaces.push_back(std::move(node));
   }
 
@@ -103,23 +116,33 @@ private:
   }
 
   std::vector<InTheWay> in_the_way(const LightRecord& record, const Surface& surface) const {
-    const Ray ray = OwnRules::leave(surface, record.sample.to_light);
+    const Vec3& to_light = record.sample.to_light;
     std::vector<InTheWay> found;
+    for (auto p = position_; p.is_inside() && (p = contacts_->after(p, to_light)).is_inside();)
+      add_in_the_way(contacts_->surface(p).hit, contacts_->surface(p).surface, 0, found);
+    const Ray ray = OwnRules::leave(surface, to_light);
     for (const RayHit& hit : scene_.all_hits(ray, OwnRules::shadow_range(record.sample.distance))) {
-      if (!scene_.casts_shadow(hit)) continue;
-      MaterialValues scratch;
-      const MaterialValues& v = scene_.values(scene_.surface(ray, hit), scratch);
-      found.push_back({scene_.path(hit), hit.t, v.color * v.refract});
-      if (v.refract == 0) break;
+      add_in_the_way(hit, scene_.surface(ray, hit), hit.t, found);
+      if (!found.empty() && found.back().transmittance == black) break;
     }
     return found;
+  }
+
+  void add_in_the_way(const RayHit& hit, const Surface& surface, double distance, std::vector<InTheWay>& found) const {
+    if (!scene_.casts_shadow(hit)) return;
+    MaterialValues scratch;
+    const MaterialValues& v = scene_.values(surface, scratch);
+    found.push_back({scene_.path(hit), distance, v.color * v.refract});
   }
 
   const CompiledScene& scene_;
   std::size_t surfaces_left_;
   std::vector<RayNode*> open_;
-  std::vector<Color> passed_; // of the open rays that have a node
-  Ray next_;                  // that meets the next surface
+  std::vector<Color> passed_;                        // of the open rays that have a node
+  Ray next_;                                         // that meets the next surface
+  std::vector<std::vector<std::uint32_t>> touching_; // what is in the place of the next surface
+  const Contacts* contacts_ = nullptr;
+  Contacts::Position position_{}; // of the last surface, if it is one of several that touch
 };
 
 } // namespace

@@ -51,8 +51,10 @@ struct TotalReflectionNode {
 
 /// One surface that a ray met.
 struct SurfaceNode {
-  Ray ray; ///< as it came: the node's own, or what goes on unbent behind the surface before
+  Ray ray; ///< as it came: the node's own, or what goes on unbent behind the surface before; among surfaces that touch,
+           ///< the one that met them
   RayHit hit;
+  std::vector<std::vector<std::uint32_t>> touching; ///< paths of all surfaces in this place, at the first of them
   std::vector<std::uint32_t> path;
   Surface surface;
   MaterialValues material;

@@ -54,9 +54,10 @@ json combination_json(const scene::Scene& scene, const CombinationIntervals& c) 
 }
 
 std::string_view name_of(MediumTransition::Kind kind) {
-  return kind == MediumTransition::Kind::entering  ? "entering"
-         : kind == MediumTransition::Kind::leaving ? "leaving"
-                                                   : "leaving_outer";
+  return kind == MediumTransition::Kind::entering         ? "entering"
+         : kind == MediumTransition::Kind::leaving        ? "leaving"
+         : kind == MediumTransition::Kind::entering_outer ? "entering_outer"
+                                                          : "leaving_outer";
 }
 
 json passage_json(const MediumTransition& p) {
@@ -92,6 +93,11 @@ private:
            {"point", to_json(s.surface.point)},
            {"normal", to_json(s.normal)},
            {"enters", dot(s.surface.geometric_normal, s.ray.direction) < 0}};
+    if (!s.touching.empty()) {
+      json touching = json::array();
+      for (const auto& path : s.touching) touching.push_back(objects_json(answer_.scene, path));
+      j["touching"] = std::move(touching);
+    }
     if (const auto intervals = intervals_of(answer_, s)) j["combination"] = combination_json(answer_.scene, *intervals);
     j["derivation"] = derivation_json(derivation_of(answer_, s));
     j["color"] = to_json(m.color);

@@ -200,6 +200,12 @@ std::optional<CombinationIntervals> intervals_of(const Answer& answer, const Sur
 }
 
 void write_meeting(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  if (!s.touching.empty()) {
+    std::vector<std::string> names;
+    for (const auto& path : s.touching) names.push_back(answer.namer.whole(path));
+    page.line(indent, fmt::format("comes to {} surfaces in one place, nearer to each other than rounding can tell: {}",
+                                  names.size(), list_text(names)));
+  }
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
                                 vector_text(s.surface.point), side_text(answer, s)));
 }
@@ -264,6 +270,8 @@ std::string passage_text(const Answer& answer, const SurfaceNode& s, const Mediu
     return fmt::format("enters {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
   case MediumTransition::Kind::leaving:
     return fmt::format("leaves {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
+  case MediumTransition::Kind::entering_outer:
+    return fmt::format("enters {} together with what lies within it, ior stays {}", title, number_text(p.ior_from));
   case MediumTransition::Kind::leaving_outer:
     return fmt::format("leaves {} while still inside of what was entered later, ior stays {}", title,
                        number_text(p.ior_from));

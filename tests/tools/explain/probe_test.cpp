@@ -25,6 +25,20 @@ const char* const two_balls = "camera { at: [0, 0, 10], look_at: [0, 0, 0] }\n"
 
 } // namespace
 
+TEST_CASE("probe: hits in one place are told") {
+  const scene::Scene scene = scene_of("box { from: [-1, 0, -1], to: [1, 1, 1], material: glass }\nplane { y: 0 }\n");
+  const explain::NamedRay ray{{{0.3, 5, 0.2}, {0, -1, 0}}, "ray"};
+  const auto hits = explain::find_hits(RayQuery(scene), ray.ray, true);
+  REQUIRE(hits.size() == 3);
+  CHECK(hits[0].place == 0);
+  CHECK(hits[1].place == 1);
+  CHECK(hits[2].place == 1);
+  const std::string text = explain::probe_text(scene, ray, hits, true);
+  CHECK(text.find("hit 2 of 3\n") != std::string::npos);
+  CHECK(text.find("hit 3 of 3, in one place with hit 2\n") != std::string::npos);
+  CHECK(explain::probe_json(scene, ray, hits)["hits"][2]["place"] == 1);
+}
+
 TEST_CASE("probe: t counts lengths of the direction, the distance is Euclidean") {
   const scene::Scene scene = scene_of(two_balls);
   const RayQuery query(scene);

@@ -276,6 +276,28 @@ TEST_CASE("why: Fresnel's reflectance at right angles is ((n − 1) / (n + 1))²
   CHECK(surface_of(*asked)["passage"]["weight"].at(0).get<double>() == Approx(0.96));
 }
 
+TEST_CASE("why: surfaces that touch are shown as one event, each with its part in it") {
+  // Glass on water from y = -1 to 0: light goes from one to the other, and the rest is glass's water-side, unbent.
+  const auto asked =
+      along("background: 0.5\n"
+            "box { from: [-9, -2, -9], to: [9, -1, 9], material: material { refract: 0.9, ior: 1.25 } }\n"
+            "box { from: [-9, -1, -9], to: [9, 0, 9], material: material { refract: 0.8, ior: 1.5 } }\n",
+            {0, 3, 0}, {0, -1, 0});
+  const json in_glass = surface_of(*asked)["passage"]["ray"]["surfaces"];
+  REQUIRE(in_glass.at(0)["touching"].size() == 2);
+  CHECK(in_glass.at(0)["passage"]["passage"]["kind"] == "entering");
+  CHECK(in_glass.at(0)["passage"]["passage"]["ior_from"] == 1.5);
+  CHECK(in_glass.at(0)["passage"]["passage"]["ior_to"] == 1.25);
+  const json in_water = in_glass.at(0)["passage"]["ray"]["surfaces"];
+  CHECK_FALSE(in_water.at(0).contains("touching")); // it has been said
+  CHECK(in_water.at(0)["passage"]["passage"]["kind"] == "leaving_outer");
+  CHECK(in_water.at(0)["t"] == in_glass.at(0)["t"]);
+  // Every solid filters twice.
+  CHECK(asked->answer.sum.total.r == Approx(0.8 * 0.8 * 0.9 * 0.9 * 0.5).epsilon(1e-12));
+  CHECK(contains(text_of(*asked), "comes to 2 surfaces in one place, nearer to each other than rounding can tell: box "
+                                  "(line 2) and box (line 3)"));
+}
+
 TEST_CASE("why: it ends in a plain sentence") {
   const std::string lit = "sun { direction: [0, 0, -1] }\nambient: 0.1\n";
   CHECK(sentence_of("background: skyblue") == "this is the background: the ray meets nothing");

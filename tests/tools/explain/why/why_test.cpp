@@ -278,11 +278,12 @@ TEST_CASE("why: Fresnel's reflectance at right angles is ((n − 1) / (n + 1))²
 
 TEST_CASE("why: surfaces that touch are shown as one event, each with its part in it") {
   // Glass on water from y = -1 to 0: light goes from one to the other, and the rest is glass's water-side, unbent.
-  const auto asked =
-      along("background: 0.5\n"
-            "box { from: [-9, -2, -9], to: [9, -1, 9], material: material { refract: 0.9, ior: 1.25 } }\n"
-            "box { from: [-9, -1, -9], to: [9, 0, 9], material: material { refract: 0.8, ior: 1.5 } }\n",
-            {0, 3, 0}, {0, -1, 0});
+  const auto asked = along("background: 0.5\n"
+                           "box { from: [-9, -2, -9], to: [9, -1, 9], material: material { refract: 0.9, ior: 1.25, "
+                           "diffuse: 0, ambient: 0 } }\n"
+                           "box { from: [-9, -1, -9], to: [9, 0, 9], material: material { refract: 0.8, ior: 1.5, "
+                           "diffuse: 0, ambient: 0 } }\n",
+                           {0, 3, 0}, {0, -1, 0});
   const json in_glass = surface_of(*asked)["passage"]["ray"]["surfaces"];
   REQUIRE(in_glass.at(0)["touching"].size() == 2);
   CHECK(in_glass.at(0)["passage"]["passage"]["kind"] == "entering");

@@ -63,13 +63,15 @@ inline constexpr std::size_t packet_size = 16;
 /// Which queries of a packet, a bit for each.
 using QueryMask = std::uint32_t;
 
-/// A set of leaves with its type erased: functions per kind of leaf, without a switch over kinds, and one call for all
-/// the queries of a packet that are in the leaf's way.
+/// A set of leaves with its type erased: functions per kind of leaf, without a switch over kinds, for one query and for
+/// those of a packet that the leaf is shown to.
 struct LeafSet {
   const void* leaves;
-  void (*nearest)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
-  /// Those that it blocks.
-  QueryMask (*blocks)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
+  void (*nearest)(const void* leaves, std::uint32_t i, Query& query);
+  bool (*blocks)(const void* leaves, std::uint32_t i, Query& query);
+  void (*nearest_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
+  /// The result: those that it blocks.
+  QueryMask (*blocks_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   Box3 (*bounds)(const void* leaves, std::uint32_t i);
   std::uint32_t size;
 };
@@ -95,6 +97,12 @@ public:
   void add(const Leaves& leaves) {
     if (leaves.size() == 0) return;
     sets_.push_back({&leaves,
+                     [](const void* all, std::uint32_t i, Query& query) {
+                       static_cast<const Leaves*>(all)->nearest(i, static_cast<NearestQuery&>(query));
+                     },
+                     [](const void* all, std::uint32_t i, Query& query) {
+                       return static_cast<const Leaves*>(all)->blocks(i, static_cast<ShadowQuery&>(query));
+                     },
                      [](const void* all, std::uint32_t i, Query* const* queries, QueryMask which) {
                        const auto& set = *static_cast<const Leaves*>(all);
                        for (; which != 0; which &= which - 1)

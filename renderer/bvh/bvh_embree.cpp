@@ -131,13 +131,15 @@ void EmbreeTree::on_nearest(const RTCIntersectFunctionNArguments* args) {
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
   if (args->N == 1) {
     RTCRay& ray = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray;
-    set.nearest(set.leaves, args->primID, queries, QueryMask{1} << ray.id);
-    ray.tfar = single_t(*queries[ray.id]);
+    Query& query = *queries[ray.id];
+    const double before = query.interval.upper;
+    set.nearest(set.leaves, args->primID, query);
+    if (query.interval.upper < before) ray.tfar = single_t(query);
     return;
   }
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   const QueryMask which = queries_of(args->valid, rays, args->N);
-  set.nearest(set.leaves, args->primID, queries, which);
+  set.nearest_of(set.leaves, args->primID, queries, which);
   for (unsigned lane = 0; lane < args->N; ++lane)
     if (args->valid[lane] != 0) RTCRayN_tfar(rays, args->N, lane) = single_t(*queries[RTCRayN_id(rays, args->N, lane)]);
 }
@@ -147,10 +149,11 @@ void EmbreeTree::on_blocks(const RTCOccludedFunctionNArguments* args) {
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
   if (args->N == 1) {
     RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
-    if (set.blocks(set.leaves, args->primID, queries, QueryMask{1} << ray.id) != 0) ray.tfar = -single_infinity;
+    if (set.blocks(set.leaves, args->primID, *queries[ray.id])) ray.tfar = -single_infinity;
     return;
   }
-  const QueryMask blocked = set.blocks(set.leaves, args->primID, queries, queries_of(args->valid, args->ray, args->N));
+  const QueryMask blocked =
+      set.blocks_of(set.leaves, args->primID, queries, queries_of(args->valid, args->ray, args->N));
   for (unsigned lane = 0; lane < args->N; ++lane)
     if (blocked >> RTCRayN_id(args->ray, args->N, lane) & 1) RTCRayN_tfar(args->ray, args->N, lane) = -single_infinity;
 }

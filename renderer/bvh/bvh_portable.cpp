@@ -183,16 +183,14 @@ bool PortableTree::traverse(Query& query, Show&& show) const {
 }
 
 void PortableTree::nearest(Query& query) const {
-  Query* const only = &query;
   traverse(query, [&](const LeafSet& set, std::uint32_t i) {
-    set.nearest(set.leaves, i, &only, 1);
+    set.nearest(set.leaves, i, query);
     return false;
   });
 }
 
 bool PortableTree::blocks(Query& query) const {
-  Query* const only = &query;
-  return traverse(query, [&](const LeafSet& set, std::uint32_t i) { return set.blocks(set.leaves, i, &only, 1) != 0; });
+  return traverse(query, [&](const LeafSet& set, std::uint32_t i) { return set.blocks(set.leaves, i, query); });
 }
 
 } // namespace rt::bvh

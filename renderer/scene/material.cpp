@@ -22,7 +22,7 @@ std::span<const Field> fields(const Material*) {
                                                 any_value, 0, std::nullopt, highlight_choices}),
       field<&Material::metallic>("metallic",
                                  {"0", "how much highlight and mirror take the surface's colour, 0 to 1", zero_to_one}),
-      field<&Material::reflect>("reflect", {"0", "weight of the mirrored ray, a number or a colour", not_negative}),
+      field<&Material::reflect>("reflect", {"0", "weight of the mirrored ray", not_negative}),
       field<&Material::refract>("refract", {"0", "weight of the refracted ray, 0 (opaque) to 1", zero_to_one}),
       field<&Material::ior>(
           "ior", {.default_text = "1",

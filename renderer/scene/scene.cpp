@@ -134,7 +134,7 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Field table[] = {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
       field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
-      field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere, a number or a colour", not_negative}),
+      field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere", not_negative}),
       field<&Scene::mode>(
           "mode", {.default_text = "whitted",
                    .help = "how light is followed: whitted, or path, with soft shadows and light between surfaces",

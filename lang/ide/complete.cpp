@@ -2,11 +2,14 @@
 
 #include "lang/builtins/builtins.hpp"
 #include "lang/check/program.hpp"
+#include "lang/session/session_text.hpp"
 #include "lang/text/tokens.hpp"
 #include "lang/text/words.hpp"
 #include "lang/values/css_colors.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -124,12 +127,84 @@ private:
   Place place_;
 };
 
+// What there is to know about the names that a text declares.
+struct DeclaredNames {
+  std::vector<std::string> all;
+  std::function<const NodeType*(std::string_view)> noun_of; // of a noun or a thing, also of the language's own
+  std::function<std::vector<std::string>(std::string_view)> properties_of;
+};
+
+DeclaredNames names_of(const Session& session) {
+  return {session.names(), [&session](std::string_view name) { return session.noun_of(name); },
+          [&session](std::string_view name) { return session.properties_of(name); }};
+}
+
+// Those of a program's main file, as far as the text shows what they are.
+class ProgramNames {
+public:
+  explicit ProgramNames(const Program& program) : program_(program), ast_(program.main->ast) {
+    for (const NodeId item : ast_.children(ast_.root)) {
+      const Kind kind = ast_.kind(item);
+      if (kind == Kind::bind) values_[ast_.symbol(ast_.bind_item(item).name)] = ast_.bind_item(item).value;
+      if (kind == Kind::param) values_[ast_.symbol(ast_.param_item(item).name)] = no_node;
+      if (kind == Kind::use) values_[ast_.symbol(ast_.use_item(item).name)] = no_node;
+      if (kind == Kind::def || kind == Kind::fn) functions_[ast_.symbol(ast_.function(item).name)] = item;
+    }
+  }
+
+  std::vector<std::string> all() const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values_) names.emplace_back(program_.symbols.name(name));
+    for (const auto& [name, item] : functions_) names.emplace_back(program_.symbols.name(name));
+    return names;
+  }
+
+  const NodeType* noun_of(std::string_view name) const {
+    const Symbol model = model_of(program_.symbols.find(name));
+    if (const auto def = functions_.find(model); def != functions_.end())
+      return ast_.kind(def->second) == Kind::def ? program_.types.find("group") : nullptr;
+    for (const Program::LibraryName& entry : program_.library_names)
+      if (entry.name == model) return &program_.types.material();
+    return model == no_symbol ? program_.types.find(name) : program_.types.find(program_.symbols.name(model));
+  }
+
+  std::vector<std::string> properties_of(std::string_view name) const {
+    std::vector<std::string> words;
+    if (const NodeType* type = noun_of(name))
+      for (const Property& property : type->properties) words.emplace_back(property.name);
+    if (const auto def = functions_.find(model_of(program_.symbols.find(name))); def != functions_.end())
+      for (const NodeId parameter : ast_.function(def->second).parameters)
+        words.emplace_back(program_.symbols.name(ast_.symbol(ast_.parameter(parameter).name)));
+    return words;
+  }
+
+private:
+  // What a bound name is a copy of in the end; any other name is itself.
+  Symbol model_of(Symbol name) const {
+    for (std::size_t steps = 0; steps <= values_.size(); ++steps) { // a name may be bound to itself, by mistake
+      const auto bound = values_.find(name);
+      if (bound == values_.end()) return name;
+      if (bound->second == no_node) return no_symbol;
+      const NodeId base = innermost(ast_, bound->second);
+      if (ast_.kind(base) != Kind::name) return no_symbol;
+      name = ast_.symbol(base);
+    }
+    return no_symbol;
+  }
+
+  const Program& program_;
+  const Ast& ast_;
+  std::map<Symbol, NodeId> values_;    // of bindings; no node where there is nothing to be seen of it
+  std::map<Symbol, NodeId> functions_; // defs and fns
+};
+
 // How near a word is to what is being typed; the nearest are offered first.
 enum class Nearness : std::uint8_t { place, thing, function };
 
 class Candidates {
 public:
-  explicit Candidates(const Session& session) : session_(session), nouns_(session.program().types) {}
+  Candidates(const Program& program, const DeclaredNames& names)
+      : program_(program), names_(names), nouns_(program.types) {}
 
   void add(std::string_view word, Nearness nearness) { words_.emplace_back(nearness, word); }
   void add_all(const std::vector<std::string>& words, Nearness nearness) {
@@ -142,9 +217,9 @@ public:
     for (const Property& property : nouns_.scene().properties) add(property.name, Nearness::place);
   }
   void add_values() {
-    add_all(session_.names(), Nearness::thing);
-    for (const Program::LibraryName& name : session_.program().library_names)
-      add(session_.program().symbols.name(name.name), Nearness::thing);
+    add_all(names_.all, Nearness::thing);
+    for (const Program::LibraryName& name : program_.library_names)
+      add(program_.symbols.name(name.name), Nearness::thing);
     for (const Builtin* builtin : all_builtins()) add(builtin->name, Nearness::function);
     for (const Constant& constant : constants()) add(constant.name, Nearness::function);
   }
@@ -166,10 +241,10 @@ public:
     }
   }
 
-  SessionCompletion beginning_with(std::string_view start, std::size_t begin) {
+  WordCompletion beginning_with(std::string_view start, std::size_t begin) {
     std::erase_if(words_, [&](const auto& word) { return !word.second.starts_with(start); });
     std::sort(words_.begin(), words_.end());
-    SessionCompletion found{begin, {}};
+    WordCompletion found{begin, {}};
     std::unordered_set<std::string_view> taken;
     for (const auto& [nearness, word] : words_)
       if (taken.insert(word).second) found.words.emplace_back(word);
@@ -184,10 +259,10 @@ private:
     if (!begins_item(place)) return add_expression(place);
     const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
     if (!owner.empty())
-      add_all(session_.properties_of(owner), Nearness::place);
+      add_all(names_.properties_of(owner), Nearness::place);
     else if (place.open.empty())
       add_scene_properties();
-    const NodeType* type = nouns_.find(owner);
+    const NodeType* type = names_.noun_of(owner);
     const bool holds_things = owner.empty() || !type || type->is_composite() || place.open.back().holds_statements;
     if (!holds_things) return;
     for (const std::string_view word : statement_words) add(word, Nearness::thing);
@@ -198,7 +273,7 @@ private:
   const Property* find_property(const Place& place) const {
     if (place.property.empty()) return nullptr;
     const std::string_view owner = place.open.empty() ? "" : place.open.back().owner;
-    const NodeType* type = place.open.empty() ? &nouns_.scene() : session_.noun_of(owner);
+    const NodeType* type = place.open.empty() ? &nouns_.scene() : names_.noun_of(owner);
     if (!type) return nullptr;
     const auto id = type->find(place.property);
     return id ? &type->properties[*id] : nullptr;
@@ -236,21 +311,35 @@ private:
     }
   }
 
-  const Session& session_;
+  const Program& program_;
+  const DeclaredNames& names_;
   const NodeTypes& nouns_;
   std::vector<std::pair<Nearness, std::string>> words_;
 };
 
-} // namespace
-
-SessionCompletion complete(const Session& session, std::string_view text, std::size_t cursor) {
+WordCompletion complete_in(std::string_view text, std::size_t cursor, const Program& program,
+                           const DeclaredNames& names) {
   const std::string_view before = text.substr(0, cursor);
   const Place place = DocumentScanner(before).run();
   if (place.is_path) return {place.begin, {}, true};
   if (place.is_text) return {cursor, {}};
-  Candidates candidates(session);
+  Candidates candidates(program, names);
   candidates.add_place(place);
   return candidates.beginning_with(before.substr(place.begin), place.begin);
+}
+
+} // namespace
+
+WordCompletion complete(const Session& session, std::string_view text, std::size_t cursor) {
+  return complete_in(text, cursor, session.program(), names_of(session));
+}
+
+WordCompletion complete(const Analysis& analysis, FileId file, std::uint32_t place) {
+  const Program& program = *analysis.program;
+  const ProgramNames names(program);
+  const DeclaredNames declared{names.all(), [&names](std::string_view name) { return names.noun_of(name); },
+                               [&names](std::string_view name) { return names.properties_of(name); }};
+  return complete_in(program.sources.file(file).text, place, program, declared);
 }
 
 std::vector<std::string> documented_words(const Session& session) {

@@ -15,6 +15,7 @@
 
 namespace rt::lang {
 
+struct FunctionInfo;
 struct NodeType;
 struct Program;
 
@@ -127,6 +128,8 @@ public:
   std::vector<std::string> properties_of(std::string_view name) const;
   /// The noun of that name or number, or of the thing that the name is bound to; null where there is none.
   const NodeType* noun_of(std::string_view name) const;
+  /// The def of that name or number, or that the thing comes from; null where there is none.
+  const FunctionInfo* def_of(std::string_view name) const;
   /// All that was read and resolved.
   const Program& program() const;
   /// Of what was submitted; diagnostics point into it.

@@ -85,23 +85,23 @@ const NodeType* Session::noun_of(std::string_view name) const {
   return core.program.types.find(name);
 }
 
+const FunctionInfo* Session::def_of(std::string_view name) const {
+  if (list_number(name)) return def_of(model_of(name));
+  const TopName* found = find_name(state_->document(), state_->core.program.symbols.find(name));
+  if (!found) return nullptr;
+  if (found->meaning == Meaning::function) return found->known.is_thing() ? found->known.function : nullptr;
+  const Value& value = state_->core.evaluator.session_value(found->slot);
+  return value.is(ValueKind::thing) ? value.thing().def : nullptr;
+}
+
 std::vector<std::string> Session::properties_of(std::string_view name) const {
-  if (list_number(name)) return properties_of(model_of(name));
   std::vector<std::string> words;
-  const Program& program = state_->core.program;
   const NodeType* type = noun_of(name);
   if (!type) return words;
   for (const Property& property : type->properties) words.emplace_back(property.name);
-  if (const TopName* found = find_name(state_->document(), program.symbols.find(name))) {
-    const FunctionInfo* def = found->known.function;
-    if (found->meaning != Meaning::function) {
-      const Value& value = state_->core.evaluator.session_value(found->slot);
-      def = value.is(ValueKind::thing) ? value.thing().def : nullptr;
-    }
-    if (def)
-      for (const FunctionInfo::Parameter& parameter : def->parameters)
-        words.emplace_back(program.symbols.name(parameter.name));
-  }
+  if (const FunctionInfo* def = def_of(name))
+    for (const FunctionInfo::Parameter& parameter : def->parameters)
+      words.emplace_back(state_->core.program.symbols.name(parameter.name));
   std::sort(words.begin(), words.end());
   return words;
 }

@@ -100,10 +100,16 @@ bool explain_target(Shell& shell, std::string_view target) {
     shell.print(fmt::format("{}{}\n", owner, lang::describe_property(type->properties[*id])));
     return true;
   }
-  const std::vector<std::string> properties = shell.session().properties_of(name);
-  if (std::find(properties.begin(), properties.end(), property) == properties.end())
-    return explain_properties(shell, name);
-  shell.print(fmt::format("{}: a parameter of its def\n", target));
+  const lang::Program& program = shell.session().program();
+  const lang::FunctionInfo* def = is_of_scene ? nullptr : shell.session().def_of(name);
+  const auto parameter = def ? def->find(program.symbols.find(property)) : std::nullopt;
+  if (!parameter) return explain_properties(shell, name);
+  const lang::NodeId otherwise = def->parameters[*parameter].default_value;
+  shell.print(
+      fmt::format("{}: a parameter of {}, {}\n", target, program.symbols.name(def->name),
+                  otherwise == lang::no_node
+                      ? "which must be given"
+                      : fmt::format("{} unless it is given", program.sources.text(def->unit->ast.span(otherwise)))));
   return true;
 }
 

@@ -22,7 +22,7 @@ Completion beginning_with(std::string_view start, std::size_t begin, std::vector
 }
 
 Completion statement(Shell& shell, std::string_view text, std::size_t cursor) {
-  lang::SessionCompletion found = lang::complete(shell.session(), text, cursor);
+  lang::WordCompletion found = lang::complete(shell.session(), text, cursor);
   if (!found.is_path) return {found.begin, std::move(found.words)};
   std::vector<std::string> paths =
       complete_path(text.substr(found.begin, cursor - found.begin), shell.session().folder());

@@ -89,7 +89,8 @@ TEST_CASE("session as a script: :set without a value says what can be set") {
   CHECK(session(folder, scene + ":set ball.radius\n").output ==
         "ball.radius: number = 1\n  distance from the middle to the surface\n");
   CHECK(session(folder, scene + ":set 1.size\n").output.find("1.size: vector or number = 1\n") == 0);
-  CHECK(session(folder, scene + ":set table.width\n").output == "table.width: a parameter of its def\n");
+  CHECK(session(folder, scene + ":set table.width\n").output ==
+        "table.width: a parameter of table, 2 unless it is given\n");
   CHECK(session(folder, scene + ":set background\n").output.find("background: colour") == 0);
   CHECK(session(folder, scene + ":set ball\n").output.find("ball takes at, ") == 0);
   CHECK(session(folder, scene + ":set ball.\n").output.find("ball takes at, ") == 0);

@@ -60,11 +60,15 @@ void name_hides_property(CheckContext& context, Span place, Symbol name, const O
 
 void property_is_no_name(CheckContext& context, Span place, Symbol name, bool has_block) {
   const std::string_view word = context.name(name);
-  const std::string message = fmt::format("`{}` is a property here, not a name", word);
-  if (has_block) return context.report.error("E0214", place, message, fmt::format("to set it, write `{}: …`", word));
-  const std::string advice =
-      fmt::format("bind a name before the block, `r = …`, and write it in both places: `{}: r`", word);
-  context.report.error("E0214", place, message, "a property is not a value to compute with", {{std::nullopt, advice}});
+  std::string label = fmt::format("to set it, write `{}: …`", word);
+  std::vector<Note> notes;
+  if (!has_block) {
+    label = "a property is not a value to compute with";
+    notes.push_back({std::nullopt,
+                     fmt::format("bind a name before the block, `r = …`, and write it in both places: `{}: r`", word)});
+  }
+  context.report.error("E0214", place, fmt::format("`{}` is a property here, not a name", word), std::move(label),
+                       std::move(notes));
 }
 
 void name_of_another_block(CheckContext& context, Span place, Symbol name, Span bound) {

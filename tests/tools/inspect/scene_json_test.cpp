@@ -39,7 +39,7 @@ WrittenScene everything() {
       {{1, 1, 1}, {0, 30, 0}, {}, {scene::MoveStep{{1, 0, 0}}, scene::ShearStep{.xy = 0.5}, scene::MatrixStep{}}});
   b.place(
       scene::Combination{scene::Combination::Operation::subtract, {b.object(scene::Box{}), b.object(scene::Sphere{})}});
-  b.light(scene::SpotLight{{}, {0, 5, 0}, {}, 20, 30.0, {scene::Fade::Law::quadratic, 2}});
+  b.light(scene::SpotLight{{}, {0, 5, 0}, {}, 20, 30.0, {scene::Fade::Law::quadratic, 2}, {}});
   b.scene.lights[0].name = scene::NameId{1};
   b.scene.lights[0].enclosing = {{{1, 1, 1}, {}, {0, 0, 7}, {}}};
   return b;

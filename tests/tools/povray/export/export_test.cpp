@@ -138,16 +138,16 @@ TEST_CASE("export: a pattern of numbers becomes a pattern of textures, and what 
 
 TEST_CASE("export: lights, their fades and placements") {
   WrittenScene b;
-  b.light(scene::PointLight{{white, 2, true}, {1, 2, 3}, {scene::Fade::Law::quadratic, 4}});
+  b.light(scene::PointLight{{white, 2, true}, {1, 2, 3}, {scene::Fade::Law::quadratic, 4}, {}});
   CHECK_THAT(exported(b), Contains("light_source { <1, 2, 3>, rgb <1, 1, 1> fade_distance 4 fade_power 2 }"));
-  b.scene.lights[0].source = scene::PointLight{{white, 2, false}, {1, 2, 3}, {scene::Fade::Law::linear, 4}};
+  b.scene.lights[0].source = scene::PointLight{{white, 2, false}, {1, 2, 3}, {scene::Fade::Law::linear, 4}, {}};
   b.scene.lights[0].chain = {scene::MoveStep{{0, 1, 0}}};
   b.scene.lights[0].enclosing = {{{1, 1, 1}, {0, 90, 0}, {}, {}}};
   CHECK_THAT(exported(b),
              Contains("rgb <1, 1, 1> fade_distance 4 fade_power 1 shadowless translate <0, 1, 0> rotate <0, 90, 0> }"));
-  b.scene.lights[0].source = scene::SunLight{{white, 1, true}, {0, -2, 0}};
+  b.scene.lights[0].source = scene::SunLight{{white, 1, true}, {0, -2, 0}, {}};
   CHECK_THAT(exported(b), Contains("light_source { <0, 100000000, 0>, rgb <1, 1, 1> parallel point_at 0 }"));
-  b.scene.lights[0] = {scene::SpotLight{{white, 1, true}, {0, 5, 0}, {}, 30, 50, {}}, {}, {}, scene::no_name, {}};
+  b.scene.lights[0] = {scene::SpotLight{{white, 1, true}, {0, 5, 0}, {}, 30, 50, {}, {}}, {}, {}, scene::no_name, {}};
   CHECK_THAT(
       exported(b),
       Contains(

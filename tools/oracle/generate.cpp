@@ -164,6 +164,17 @@ void add_settings(Dice& dice, Block& file) {
   if (dice.chance(0.7)) file.set("ambient", dice.chance(0.5) ? text(dice.between(0, 0.4)) : color(dice));
   if (dice.chance(0.6)) file.set("max_depth", std::to_string(dice.below(9)));
   if (dice.chance(0.08)) file.set("samples", dice.chance(0.5) ? "4" : "9");
+  // What changes nothing in this mode, or in a linear picture.
+  if (dice.chance(0.1)) file.set("mode", "whitted");
+  if (dice.chance(0.1)) file.set("noise", "0.01").set("seed", "7").set("filter", "gaussian");
+  if (dice.chance(0.1)) file.set("exposure", text(dice.between(-2, 2))).set("tone", "filmic");
+}
+
+Block random_sky(Dice& dice) {
+  Block sky = block("sky").set("zenith", color(dice)).set("horizon", color(dice));
+  if (dice.chance(0.5)) sky.set("ground", color(dice));
+  if (dice.chance(0.5)) sky.set("intensity", text(dice.between(0.3, 1)));
+  return sky;
 }
 
 void add_flags(Dice& dice, Block& thing) {
@@ -244,6 +255,8 @@ std::vector<Block> random_lights(Dice& dice) {
     }
     light.set("intensity", text(intensity));
     if (dice.chance(0.5)) light.set("color", color(dice));
+    // Its size is path mode's.
+    if (dice.chance(0.1)) light.set(kind == 1 ? "size" : "radius", text(dice.between(0.1, 0.5)));
     // POV-Ray has no spotlight without shadows.
     if (kind != 2 && dice.chance(0.12)) light.set("shadows", "false");
     if (dice.chance(0.1)) light.chain.push_back(fmt::format(".rotate(y: {})", text(dice.between(-40, 40))));
@@ -274,6 +287,14 @@ Block random_camera(Dice& dice) {
     camera.set("projection", "orthographic").set("width", text(dice.length(3, 5)));
   else if (dice.chance(0.8))
     camera.set("fov", text(dice.between(25, 75)));
+  // The lens is path mode's.
+  if (dice.chance(0.1)) {
+    camera.set("aperture", text(dice.length(0.01, 0.2)));
+    if (dice.chance(0.5))
+      camera.set("focus", text(dice.length(1, 6)));
+    else
+      camera.set("focus_at", text(dice.point(-0.4, 0.4)));
+  }
   return camera;
 }
 
@@ -292,6 +313,7 @@ Block random_scene(Dice& dice, Mode mode) {
       std::any_of(view.begin(), view.end(), [](const Prop& p) { return p.name == "projection"; });
   if (is_color)
     for (Block& light : random_lights(dice)) file.things.push_back(std::move(light));
+  if (is_color && dice.chance(0.2)) file.things.push_back(random_sky(dice));
   // Rays of an orthographic view start all over the place: for POV-Ray some would start inside a slanted floor.
   if (dice.chance(0.5) && !is_orthographic)
     file.things.push_back(floor(dice));

@@ -11,7 +11,7 @@ constexpr double least_equal = 0.9999, least_precise = 0.999, most_refused = 0.0
 // What a run over shapes alone does not look at.
 std::vector<std::string> not_looked_at(Mode mode) {
   if (mode == Mode::color) return {"scene.size", "spot.shadows"};
-  return {"material", "pattern",     "checker",         "light",          "sun",      "spot", "fade",
+  return {"material", "pattern",     "checker",         "light",          "sun",      "spot", "sky", "fade",
           "scene.",   "transparent", "two transparent", "several lights", "no shadow"};
 }
 

@@ -13,7 +13,7 @@ struct ForeignName {
 };
 
 /// Names of things and functions in POV-Ray, OpenSCAD, three.js and their like.
-constexpr ForeignName names[] = {
+constexpr ForeignName foreign_names[] = {
     {"cube", "write `box`"},
     {"cuboid", "write `box`"},
     {"block", "write `box`"},
@@ -275,7 +275,7 @@ constexpr ForeignProperty properties[] = {
 } // namespace
 
 std::string dialect_name(std::string_view name) {
-  for (const ForeignName& word : names) {
+  for (const ForeignName& word : foreign_names) {
     if (word.theirs == name) return std::string(word.advice);
   }
   return {};

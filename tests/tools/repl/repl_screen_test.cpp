@@ -140,10 +140,13 @@ TEST_CASE("repl at a terminal: one that cannot move its cursor has a prompt, and
   Terminal terminal(home, {}, 80, 24, {{"TERM", "dumb"}});
   terminal.say("sphere { raduis: 2 }");
   CHECK(terminal.shows("did you mean `radius`?"));
+  // What is typed before the prompt stands above it, since the terminal shows it by itself.
+  REQUIRE(terminal.wait_for_cursor_row(prompt));
   terminal.send("ball = sphere {\r");
   REQUIRE(terminal.wait_for_cursor_row("...>"));
   terminal.send("}\r");
   CHECK(terminal.shows("ball is a sphere"));
+  REQUIRE(terminal.wait_for_cursor_row(prompt));
   terminal.send("box {\r");
   REQUIRE(terminal.wait_for_cursor_row("...>"));
   terminal.send(std::string(1, ctrl_c)); // takes it back

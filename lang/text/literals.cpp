@@ -75,13 +75,14 @@ NumberLiteral read_number(std::string_view text) {
 }
 
 bool begins_number(std::string_view text) {
-  const std::size_t point = text.starts_with('.') ? 1 : 0;
-  return text.size() > point && is_digit(text[point]);
+  if (text.empty()) return false;
+  return is_digit(text[0]) || (text[0] == '.' && text.size() > 1 && is_digit(text[1]));
 }
 
 NumberLiteral read_signed_number(std::string_view text) {
   const std::uint32_t sign = !text.empty() && is_sign(text[0]) ? 1 : 0;
-  if (!begins_number(text.substr(sign))) return {0, 0};
+  if (text.size() <= sign) return {0, 0};
+  if (!is_digit(text[sign]) && !begins_number(text.substr(sign))) return {0, 0};
   const NumberLiteral number = read_number(text.substr(sign));
   return {text[0] == '-' ? -number.value : number.value, sign + number.length};
 }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 
 namespace rt::scene {
 namespace {
@@ -22,13 +21,23 @@ std::string bounds_text(const Constraint& c) {
   return fmt::format("must be {} and {}", low, high);
 }
 
+// What nearly every number of a scene passes: strictly between its bounds it is finite too.
+bool is_inside(const Constraint& c, double number) {
+  return number > c.min && number < c.max && !c.is_whole;
+}
+
 bool is_kept(const Constraint& c, double number) {
+  if (is_inside(c, number)) return true;
   const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
   const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
   return std::isfinite(number) && !is_low && !is_high && (!c.is_whole || number == std::floor(number));
 }
 
-Violation broken(const Constraint& c, double number) {
+bool are_kept(const Constraint& c, double a, double b, double d) {
+  return is_kept(c, a) && is_kept(c, b) && is_kept(c, d);
+}
+
+[[gnu::cold]] Violation broken(const Constraint& c, double number) {
   const std::string found = "this is " + format_number(number);
   if (!std::isfinite(number)) return {Violated::not_finite, "is not a finite number", found};
   Constraint bounds = c;
@@ -36,10 +45,8 @@ Violation broken(const Constraint& c, double number) {
   return {Violated::out_of_bounds, is_kept(bounds, number) ? "must be a whole number" : bounds_text(c), found};
 }
 
-std::optional<Violation> check_all(const Constraint& constraint, std::initializer_list<double> numbers) {
-  for (const double number : numbers)
-    if (!is_kept(constraint, number)) return broken(constraint, number);
-  return std::nullopt;
+[[gnu::cold]] Violation first_broken(const Constraint& c, double a, double b, double d) {
+  return broken(c, !is_kept(c, a) ? a : !is_kept(c, b) ? b : d);
 }
 
 } // namespace
@@ -51,19 +58,21 @@ std::optional<Violation> check(const Constraint& constraint, double number) {
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Vec3& vector) {
-  if (auto violation = check_all(constraint, {vector.x, vector.y, vector.z})) return violation;
+  if (!are_kept(constraint, vector.x, vector.y, vector.z))
+    return first_broken(constraint, vector.x, vector.y, vector.z);
   if (!constraint.is_nonzero || length(vector) != 0) return std::nullopt;
   return Violation{Violated::no_direction, "must have a direction", "this has length 0"};
 }
 
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size) {
-  if (auto violation = check_all(constraint, {size.x, size.y, size.z})) return violation;
+  if (!are_kept(constraint, size.x, size.y, size.z)) return first_broken(constraint, size.x, size.y, size.z);
   if (!constraint.is_nonzero || (size.x != 0 && size.y != 0 && size.z != 0)) return std::nullopt;
   return Violation{Violated::flattens, "must not be 0: that flattens the thing", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Color& color) {
-  return check_all(constraint, {color.r, color.g, color.b});
+  if (are_kept(constraint, color.r, color.g, color.b)) return std::nullopt;
+  return first_broken(constraint, color.r, color.g, color.b);
 }
 
 std::optional<Violation> check_count(const Constraint& c, std::size_t count) {

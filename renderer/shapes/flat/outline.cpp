@@ -22,13 +22,15 @@ Vec3 newell_normal(std::span<const Vec3> points) {
 }
 
 bool is_line(std::span<const Vec3> points) {
+  const std::span<const Vec3> others = points.subspan(1);
   Vec3 far; // the point farthest from the first
-  for (const Vec3& p : points) {
-    if (dot(p - points[0], p - points[0]) > dot(far, far)) far = p - points[0];
+  for (const Vec3& p : others) {
+    const Vec3 step = p - points[0];
+    if (dot(step, step) > dot(far, far)) far = step;
   }
   const double reach = length(far);
   const double tolerance = 4 * epsilon * (reach + largest_coordinate(points));
-  for (const Vec3& p : points) {
+  for (const Vec3& p : others) {
     if (length(cross(p - points[0], far)) > tolerance * reach) return false;
   }
   return true;

@@ -1,5 +1,5 @@
 #include "lang/builtins/builtins.hpp"
-#include "renderer/math/degrees.hpp"
+#include "renderer/functions/apply.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,25 +30,16 @@ Value tangent(BuiltinCall& c) {
   return tan_degrees(c.number(0));
 }
 
-/// The argument of asin or acos; rounding may have carried it a little beyond 1.
-std::optional<double> ratio(BuiltinCall& c) {
-  constexpr double slack = 1e-12;
-  const double x = c.number(0);
-  if (std::abs(x) > 1 + slack) {
-    c.fail(0, "no angle has this sine or cosine: it must be from -1 to 1", "this is " + format_number(x));
-    return std::nullopt;
-  }
-  return std::clamp(x, -1.0, 1.0);
+/// Of the angle that has this sine or cosine.
+template <auto f>
+Value arc(BuiltinCall& c) {
+  const double sine = as_sine(c.number(0));
+  if (std::isnan(sine) && !std::isnan(c.number(0)))
+    return c.fail(0, "no angle has this sine or cosine: it must be from -1 to 1",
+                  "this is " + format_number(c.number(0)));
+  return f(sine);
 }
 
-Value arc_sine(BuiltinCall& c) {
-  const auto x = ratio(c);
-  return x ? Value(asin_degrees(*x)) : Value::poison();
-}
-Value arc_cosine(BuiltinCall& c) {
-  const auto x = ratio(c);
-  return x ? Value(acos_degrees(*x)) : Value::poison();
-}
 Value arc_tangent(BuiltinCall& c) {
   return atan_degrees(c.number(0));
 }
@@ -106,8 +97,8 @@ std::span<const Builtin> maths() {
       {"sin", "angle: number", "sine of an angle in degrees", sine},
       {"cos", "angle: number", "cosine of an angle in degrees", cosine},
       {"tan", "angle: number", "tangent of an angle in degrees", tangent},
-      {"asin", "x: number", "the angle from -90 to 90 degrees with this sine", arc_sine},
-      {"acos", "x: number", "the angle from 0 to 180 degrees with this cosine", arc_cosine},
+      {"asin", "x: number", "the angle from -90 to 90 degrees with this sine", arc<asin_degrees>},
+      {"acos", "x: number", "the angle from 0 to 180 degrees with this cosine", arc<acos_degrees>},
       {"atan", "x: number", "the angle from -90 to 90 degrees with this tangent", arc_tangent},
       {"atan2", "y: number, x: number", "the angle of the point (x, y) from -180 to 180 degrees", arc_tangent2},
       {"sqrt", "x: number", "square root", square_root},

@@ -59,7 +59,8 @@ struct Arrow {
 // clang-format off
 constexpr Arrow arrows[] = {
     // From the description of a scene to its picture
-    {"renderer/fields", "renderer/math"},
+    {"renderer/functions", "renderer/math"},
+    {"renderer/fields", "renderer/functions"},
     {"renderer/sampling", "renderer/math"},
     {"renderer/shapes", "renderer/fields"},
     {"renderer/shapes", "renderer/sampling"},

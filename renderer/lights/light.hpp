@@ -4,12 +4,27 @@
 
 namespace rt::scene {
 
-/// What all lights share.
+/// What all lamps share.
 struct LightCommon {
   Color color = white;
   double intensity = 1;
   bool shadows = true; ///< false: nothing blocks it, and it gives diffuse light only
 };
+
+/// The rows of a light's table that are the same for several kinds.
+template <class L>
+inline constexpr Field color_field = field<&L::color>("color", {"white", "colour of the light", not_negative});
+template <class L>
+inline constexpr Field intensity_field = field<&L::intensity>("intensity", {"1", "factor on the colour", not_negative});
+template <class L>
+inline constexpr Field
+    shadows_field = field<&L::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"});
+template <class L>
+inline constexpr Field fade_field =
+    field<&L::fade>("fade", {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"});
+template <class L>
+inline constexpr Field radius_field = field<&L::radius>(
+    "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative});
 
 } // namespace rt::scene
 

@@ -5,13 +5,11 @@ namespace rt::scene {
 std::span<const Field> fields(const PointLight*) {
   static constexpr Field table[] = {
       field<&PointLight::at>("at", {"[0, 0, 0]", "position"}),
-      field<&PointLight::color>("color", {"white", "colour of the light", not_negative}),
-      field<&PointLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
-      field<&PointLight::fade>("fade",
-                               {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
-      field<&PointLight::radius>(
-          "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative}),
-      field<&PointLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
+      color_field<PointLight>,
+      intensity_field<PointLight>,
+      fade_field<PointLight>,
+      radius_field<PointLight>,
+      shadows_field<PointLight>,
   };
   return table;
 }

@@ -12,13 +12,11 @@ std::span<const Field> fields(const SpotLight*) {
       field<&SpotLight::angle>("angle", {"40", "full angle of the cone of full light, degrees", cone}),
       field<&SpotLight::falloff>("falloff",
                                  {"angle", "full angle of the cone outside of which there is no light, degrees", cone}),
-      field<&SpotLight::color>("color", {"white", "colour of the light", not_negative}),
-      field<&SpotLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
-      field<&SpotLight::fade>("fade",
-                              {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"}),
-      field<&SpotLight::radius>(
-          "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative}),
-      field<&SpotLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
+      color_field<SpotLight>,
+      intensity_field<SpotLight>,
+      fade_field<SpotLight>,
+      radius_field<SpotLight>,
+      shadows_field<SpotLight>,
   };
   return table;
 }

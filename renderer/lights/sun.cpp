@@ -8,11 +8,11 @@ std::span<const Field> fields(const SunLight*) {
   static constexpr Constraint seen_angle{.min = 0, .max = 180};
   static constexpr Field table[] = {
       field<&SunLight::direction>("direction", {"[-1, -2, -1]", "the way its light travels", nonzero}),
-      field<&SunLight::color>("color", {"white", "colour of the light", not_negative}),
-      field<&SunLight::intensity>("intensity", {"1", "factor on the colour", not_negative}),
+      color_field<SunLight>,
+      intensity_field<SunLight>,
       field<&SunLight::size>(
           "size", {"0", "in path: angle that it is seen at, degrees (0.533 is ours); softens shadows", seen_angle}),
-      field<&SunLight::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"}),
+      shadows_field<SunLight>,
   };
   return table;
 }

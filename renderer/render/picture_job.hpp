@@ -13,19 +13,6 @@
 
 namespace rt {
 
-/// The side of the blocks of pixels whose rays are traced together.
-inline constexpr int block_side = 4;
-static_assert(block_side * block_side <= camera_batch_size);
-
-/// The blocks of a tile, one after the other, as long as f(block) is true; whether it always was.
-template <class F>
-bool for_each_block(const PixelRect& tile, F&& f) {
-  for (int y = tile.y0; y < tile.y1; y += block_side)
-    for (int x = tile.x0; x < tile.x1; x += block_side)
-      if (!f(PixelRect{x, y, std::min(x + block_side, tile.x1), std::min(y + block_side, tile.y1)})) return false;
-  return true;
-}
-
 /// Calls f(x, y, i), i counting from 0.
 template <class F>
 void for_each_pixel(const PixelRect& block, F&& f) {

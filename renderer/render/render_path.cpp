@@ -1,8 +1,7 @@
+#include "renderer/render/block_worker.hpp"
 #include "renderer/render/noise_blocks.hpp"
-#include "renderer/render/picture_job.hpp"
 #include "renderer/render/pixel_filter.hpp"
 #include "renderer/render/sums.hpp"
-#include "renderer/render/tile_loop.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,21 +28,14 @@ struct PathPicture {
   NoiseBlocks noise;
 };
 
-class PathTiles final : public TileWorker {
+class PathBlocks final : public BlockWorker {
 public:
-  PathTiles(PictureJob& job, PathPicture& picture, const Pass& pass)
-      : job_(job), picture_(picture), pass_(pass), tracer_(job.make_tracer()) {}
-
-  bool work(const PixelRect& tile) override {
-    if (!for_each_block(tile, [&](const PixelRect& block) { return trace(block); })) return false;
-    job_.show(tile);
-    return true;
-  }
-  const RayCounts& counts() const override { return tracer_->counts(); }
+  PathBlocks(PictureJob& job, PathPicture& picture, const Pass& pass)
+      : BlockWorker(job), picture_(picture), pass_(pass) {}
 
 private:
-  // False where it was stopped; what was traced by then counts.
-  bool trace(const PixelRect& block) {
+  // Where it is stopped, what was traced by then counts.
+  bool trace(const PixelRect& block) override {
     StaticVector<PixelPosition, camera_batch_size> pixels; // that need samples
     for_each_pixel(block, [&](int x, int y, std::size_t) {
       if (!picture_.noise.rests(x, y)) pixels.add([&] { return PixelPosition{x, y}; });
@@ -74,11 +66,8 @@ private:
     return true;
   }
 
-  PictureJob& job_;
   PathPicture& picture_;
   Pass pass_;
-  std::unique_ptr<Integrator::Worker> tracer_;
-  TraceScratch scratch_;
 };
 
 // Passes double the samples, unless time is short: then they take what is left of it.
@@ -138,7 +127,7 @@ bool render_path(PictureJob& job, const View& view, const RenderOptions& options
   bool is_complete = true;
   std::optional<Pass> pass = schedule.next(0, 0);
   while (pass && is_complete && !picture.noise.all_rest()) {
-    const auto make_worker = [&] { return std::make_unique<PathTiles>(job, picture, *pass); };
+    const auto make_worker = [&] { return std::make_unique<PathBlocks>(job, picture, *pass); };
     const double expected = schedule.expected(*pass, loop.seconds(), picture.noise.worst());
     is_complete = loop.run(make_worker, pass->begin / expected, pass->end / expected);
     picture.noise.update(picture.sums);

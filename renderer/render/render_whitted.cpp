@@ -1,26 +1,18 @@
-#include "renderer/render/picture_job.hpp"
-#include "renderer/render/tile_loop.hpp"
+#include "renderer/render/block_worker.hpp"
 
 #include <array>
 
 namespace rt {
 namespace {
 
-// All samples of a tile at once.
-class WhittedTiles final : public TileWorker {
+// All samples of a block at once.
+class WhittedBlocks final : public BlockWorker {
 public:
-  WhittedTiles(PictureJob& job, const Sampler& sampler) : job_(job), sampler_(sampler), tracer_(job.make_tracer()) {}
-
-  bool work(const PixelRect& tile) override {
-    if (!for_each_block(tile, [&](const PixelRect& block) { return trace(block); })) return false;
-    job_.show(tile);
-    return true;
-  }
-  const RayCounts& counts() const override { return tracer_->counts(); }
+  WhittedBlocks(PictureJob& job, const Sampler& sampler) : BlockWorker(job), sampler_(sampler) {}
 
 private:
-  // False, and nothing in the film, where it was stopped: a single ray among many panes of glass may take seconds.
-  bool trace(const PixelRect& block) {
+  // Where it is stopped, nothing of the block is in the film.
+  bool trace(const PixelRect& block) override {
     std::array<Color, camera_batch_size> sums{}, values;
     for (int sample = 0; sample < sampler_.samples(); ++sample) {
       StaticVector<Ray, camera_batch_size> rays;
@@ -38,17 +30,14 @@ private:
     return true;
   }
 
-  PictureJob& job_;
   const Sampler& sampler_;
-  std::unique_ptr<Integrator::Worker> tracer_;
-  TraceScratch scratch_;
 };
 
 } // namespace
 
 bool render_whitted(PictureJob& job, const View& view, TileLoop& loop) {
   const Sampler sampler(view.samples);
-  return loop.run([&] { return std::make_unique<WhittedTiles>(job, sampler); }, 0, 1);
+  return loop.run([&] { return std::make_unique<WhittedBlocks>(job, sampler); }, 0, 1);
 }
 
 } // namespace rt

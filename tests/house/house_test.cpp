@@ -226,6 +226,26 @@ std::vector<std::string> indexed_by_position(const Sources& sources) {
   return list;
 }
 
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+/// What no longer fits a screen, or a head: "file: 401 lines", "folder: 26 files".
+std::vector<std::string> too_large(const Sources& sources) {
+  std::vector<std::string> list;
+  std::map<std::string, int> files;
+  for (const auto& [path, text] : sources) {
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    if (lines > 400) list.push_back(path + ": " + std::to_string(lines) + " lines");
+    ++files[path.substr(0, path.rfind('/'))];
+  }
+  for (const auto& [folder, count] : files)
+    if (count > 25) list.push_back(folder + ": " + std::to_string(count) + " files");
+  return list;
+}
+
 std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> list;
@@ -299,6 +319,18 @@ TEST_CASE("house: a header includes no using namespace and is guarded") {
     CHECK(text.starts_with("#pragma once\n"));
     CHECK(text.find("using namespace") == std::string::npos);
   }
+}
+
+TEST_CASE("house: a file has at most 400 lines, a folder at most 25 sources") {
+  CHECK(too_large(all_sources()) == std::vector<std::string>{});
+  const std::string longest = repeated("int i;\n", 400), long_one = longest + "int j;\n";
+  CHECK(too_large({{"lang/long.cpp", longest}}).empty());
+  CHECK(too_large({{"lang/long.cpp", long_one}}) == std::vector<std::string>{"lang/long.cpp: 401 lines"});
+  Sources folder;
+  for (int i = 0; i < 26; ++i) folder["lang/text/" + std::to_string(i) + ".cpp"] = "";
+  CHECK(too_large(folder) == std::vector<std::string>{"lang/text: 26 files"});
+  folder.erase("lang/text/0.cpp");
+  CHECK(too_large(folder).empty());
 }
 
 TEST_CASE("house: no table is indexed by a variant's position") {

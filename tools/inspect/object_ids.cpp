@@ -1,5 +1,7 @@
 #include "tools/inspect/object_ids.hpp"
 
+#include "renderer/scene/names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ std::uint64_t ObjectIds::count(const scene::Object& object) const {
 
 void ObjectIds::add_named(const scene::Object& object, std::uint64_t first, std::vector<NamedRange>& list) const {
   if (object.name != scene::no_name) {
-    const std::string_view name = scene_.names[static_cast<std::size_t>(object.name)];
+    const std::string_view name = scene::name(scene_, object.name);
     const std::uint64_t n = count(object);
     if (n == 0) return;
     if (!list.empty() && list.back().name == name && list.back().ids.last + 1 == first)
@@ -66,7 +68,7 @@ std::string ObjectIds::name(std::uint64_t id) const {
   const scene::Object* object = &scene_.objects[i];
   std::uint64_t rest = id - firsts_[i];
   for (;;) {
-    if (object->name != scene::no_name) return scene_.names[static_cast<std::size_t>(object->name)];
+    if (object->name != scene::no_name) return std::string(scene::name(scene_, object->name));
     const scene::Group* members = group(scene_, *object);
     if (!members) break;
     for (const scene::Object& member : members->members) {

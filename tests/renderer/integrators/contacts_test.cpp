@@ -390,12 +390,3 @@ TEST_CASE(
           grey(0.75));
   }
 }
-
-TEST_CASE("contact: a hit is contested by what is within rounding of it, and by nothing else") {
-  SceneBuilder k;
-  k.add(k.plane({0, 1, 0}, 0)), k.add(k.sphere(1)), k.add(k.box({3, 0, -1}, {5, 1, 1}));
-  Asked asked(k);
-  CHECK_FALSE(asked.nearest({0, 5, 0}, down).is_contested);
-  CHECK_FALSE(asked.nearest({4, 5, 0}, down).is_contested);
-  CHECK(asked.nearest({4, -5, 0}, {0, 1, 0}).is_contested);
-}

@@ -15,9 +15,6 @@ namespace {
 
 using namespace rt::scene;
 
-// POV-Ray's own limit; a greater number is replaced by it.
-constexpr int most_trace_levels = 256;
-
 class Exporter {
 public:
   Exporter(const Scene& scene, const ExportOptions& options)
@@ -65,29 +62,8 @@ private:
   };
 
   void header(Writer& out) {
-    comment(out, "Exported from a rtlang scene for POV-Ray 3.7. Linear colours, one ray through each pixel's centre:");
-    comment(out, fmt::format("povray +Iscene.pov +W{} +H{} -A File_Gamma=1.0", scene_.size[0], scene_.size[1]));
-    if (scene::whitted_samples(scene_) > 1) {
-      comment(out,
-              fmt::format("For its {} samples each pixel, render it that many times as large (the root of it each way)",
-                          scene::whitted_samples(scene_)));
-      comment(out, "and take the mean of each square of pixels.");
-    }
-    if (const ToneMapping tones = tone_mapping(scene_); tones != ToneMapping{})
-      comment(out,
-              fmt::format("This is the linear picture; in 8 and 16 bits rtlang shows it with exposure {} and tone {}.",
-                          tones.exposure, tones.tone == Tone::filmic ? "filmic" : "clip"));
-    out.line("#version 3.7;");
-    if (scene::depth_limit(scene_) + 1 > most_trace_levels)
-      inexact_.push_back({fmt::format("POV-Ray follows a ray {} times at most, `max_depth` is {}",
-                                      most_trace_levels - 1, scene::depth_limit(scene_)),
-                          {}});
-    out.open("global_settings");
-    out.line("assumed_gamma 1.0");
-    out.line(fmt::format("max_trace_level {}", std::min(scene::depth_limit(scene_) + 1, most_trace_levels)));
-    out.line("adc_bailout 0");
-    out.line("ambient_light " + rgb(scene_.ambient));
-    out.close();
+    if (options_.comments) write_introduction(out, scene_);
+    write_settings(out, scene_, inexact_);
     if (options_.pass == Pass::color) write_sky(out);
     comment_origin(out, "camera", no_name, scene_.camera_origin);
     write_camera(out, scene_.camera, scene_.size);
@@ -371,16 +347,12 @@ private:
     for (const Object& member : parts(scene_.shapes, o.shape)) count_uses(member);
   }
 
-  void comment(Writer& out, const std::string& text) const {
-    if (options_.comments) out.line("// " + comment_text(text));
-  }
-
   void comment_origin(Writer& out, std::string_view noun, NameId name, Origin origin) {
     current_ = origin;
     if (!options_.comments) return;
-    std::string text = name == no_name ? std::string(noun) : scene_.names[static_cast<std::size_t>(name)];
+    std::string text(name == no_name ? noun : scene::name(scene_, name));
     if (const std::string place = place_text(scene_, origin); !place.empty()) text += ", " + place;
-    comment(out, text);
+    out.comment(text);
   }
 
   const Scene& scene_;

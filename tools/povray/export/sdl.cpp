@@ -69,17 +69,17 @@ std::string matrix(const Map& map) {
   return text + ">";
 }
 
-std::string comment_text(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  return result;
-}
-
 void Writer::line(std::string_view text) {
   text_.append(2 * depth_, ' ');
   text_ += text;
   text_ += '\n';
+}
+
+void Writer::comment(std::string_view text) {
+  std::string shown(text);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  line("// " + shown);
 }
 
 void Writer::open(std::string_view head) {

@@ -24,9 +24,6 @@ std::string transform(const scene::Step& step);
 std::string transforms(const scene::Placement& placement);
 std::string matrix(const Map& map);
 
-/// What may stand in a comment to the end of a line: control characters become blanks.
-std::string comment_text(std::string_view text);
-
 /// Collects lines, indented by the blocks that are open.
 class Writer {
 public:
@@ -35,6 +32,8 @@ public:
   void open(std::string_view head);
   /// Ends the innermost block; `tail` stands before its brace, on a line of its own.
   void close(std::string_view tail = {});
+  /// To the end of the line: control characters become blanks.
+  void comment(std::string_view text);
   void blank() { text_ += '\n'; }
   std::string take() { return std::move(text_); }
 

@@ -43,8 +43,7 @@ private:
         walk(scene_.shapes.get<Group>(o.shape).members, name);
       else
         names_.push_back(
-            {name == no_name ? std::string(noun(scene_.shapes, o.shape)) : scene_.names[static_cast<std::size_t>(name)],
-             o.origin});
+            {std::string(name == no_name ? noun(scene_.shapes, o.shape) : scene::name(scene_, name)), o.origin});
     }
   }
 

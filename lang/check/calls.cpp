@@ -108,7 +108,7 @@ FunctionInfo& add_function(CheckContext& context, Unit& unit, NodeId node) {
     const Parameter parameter = unit.ast.parameter(item);
     info.parameters.push_back({unit.ast.symbol(parameter.name), 0, parameter.default_value, parameter.name});
   }
-  set_function_index(unit.ast[node], index);
+  unit.ast.set_function_index(node, index);
   return info;
 }
 

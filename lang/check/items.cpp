@@ -147,7 +147,7 @@ void ItemChecker::check(Unit& unit, NodeId item) {
     return check_param(unit, item);
   case Kind::def:
   case Kind::fn:
-    return check_function(unit, context_.program.functions[function_index(ast[item])]);
+    return check_function(unit, context_.program.functions[ast.function_index(item)]);
   case Kind::for_:
     return check_for(unit, item);
   case Kind::if_:

@@ -127,15 +127,6 @@ struct Program {
   }
 };
 
-/// The index in `Program::functions` of a def, fn or lambda; check writes it into the node's parts that are its to use.
-inline void set_function_index(Node& node, std::uint32_t index) {
-  node.extra = static_cast<std::uint16_t>(index);
-  node.op = static_cast<Op>(index >> 16);
-}
-inline std::uint32_t function_index(const Node& node) {
-  return static_cast<std::uint32_t>(node.op) << 16 | node.extra;
-}
-
 /// What check found a name to mean. In a name node: `Ast::slot` and, in `Node::extra`, the resolution in the upper four
 /// bits and in the lower twelve the number of frames outwards.
 enum class Resolution : std::uint16_t {

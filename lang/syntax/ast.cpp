@@ -17,7 +17,7 @@ ParamItem Ast::param_item(NodeId id) const {
 
 Function Ast::function(NodeId id) const {
   const Node& node = (*this)[id];
-  return {links[node.a], {links.data() + node.a + 2, node.b}, links[node.a + 1]};
+  return {links[node.a], {links.data() + node.a + 3, node.b}, links[node.a + 1]};
 }
 
 ForItem Ast::for_item(NodeId id) const {

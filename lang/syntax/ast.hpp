@@ -213,6 +213,9 @@ public:
   UseItem use_item(NodeId id) const { return {strings[(*this)[id].a], NodeId{(*this)[id].b}}; }
   ParamItem param_item(NodeId id) const;
   Function function(NodeId id) const;
+  /// Of a def, fn or lambda: the number that check gave it.
+  std::uint32_t function_index(NodeId id) const { return static_cast<std::uint32_t>(links[(*this)[id].a + 2]); }
+  void set_function_index(NodeId id, std::uint32_t index) { links[(*this)[id].a + 2] = NodeId{index}; }
   ForItem for_item(NodeId id) const;
   IfNode if_node(NodeId id) const;
   BindItem bind_item(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }

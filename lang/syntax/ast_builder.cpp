@@ -168,6 +168,7 @@ void AstBuilder::close_function(Kind kind, std::uint32_t end) {
   const auto first_link = static_cast<std::uint32_t>(ast_.links.size());
   ast_.links.push_back(has_name ? operands_[mark.operands].node : no_node);
   ast_.links.push_back(body);
+  ast_.links.push_back(no_node); // check's
   link(parameters);
   operands_.resize(mark.operands, Operand{});
   push({kind, Op{}, 0, mark.begin, end, first_link, length}, depth);

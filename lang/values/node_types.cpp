@@ -2,8 +2,6 @@
 
 #include "renderer/scene/names.hpp"
 
-#include <new>
-#include <type_traits>
 #include <utility>
 
 namespace rt::lang {
@@ -87,46 +85,34 @@ void append_common(std::vector<Property>& properties) {
 }
 
 template <class T>
-Maker basic_maker() {
-  static_assert(alignof(T) <= alignof(std::max_align_t));
-  Maker m;
-  m.construct = [](void* memory) { new (memory) T; };
-  m.destroy = [](void* memory) { static_cast<T*>(memory)->~T(); };
-  m.check = [](const void* made) { return check(*static_cast<const T*>(made)); };
-  return m;
+NodeType type_of(std::string_view noun_name, Category category, std::string_view help, const T& prototype) {
+  return {noun_name, category, help, from_fields(fields(&prototype)), prototype, {}, {}};
 }
 
 template <class S>
 NodeType shape_noun() {
-  NodeType type{
-      S::noun, Category::shape, S::help, from_fields(fields(static_cast<const S*>(nullptr))), basic_maker<S>(), {}, {},
-      {}};
-  type.maker.add = [](scene::Shapes& shapes, void* made) { return shapes.add(std::move(*static_cast<S*>(made))); };
+  NodeType type = type_of(S::noun, Category::shape, S::help, S{});
   append_common(type.properties);
   return type;
 }
 
 template <class L>
 NodeType light_noun() {
-  NodeType type{
-      L::noun, Category::light, L::help, from_fields(fields(static_cast<const L*>(nullptr))), basic_maker<L>(), {}, {},
-      {}};
-  type.maker.light = [](const void* made) -> scene::LightSource { return *static_cast<const L*>(made); };
+  NodeType type = type_of(L::noun, Category::light, L::help, L{});
   type.properties.push_back(name());
   return type;
 }
 
 NodeType composite_noun(std::string_view noun_name, Category category, std::string_view help,
                         scene::Combination::Operation operation) {
-  NodeType type{noun_name, category, help, {}, {}, operation, {}, {}};
+  NodeType type{noun_name, category, help, {}, {}, operation, {}};
   append_common(type.properties);
   return type;
 }
 
 template <class P>
 NodeType pattern_noun() {
-  NodeType type{P::noun, Category::pattern, P::help, from_fields(fields(static_cast<const P*>(nullptr))), {}, {}, P{},
-                {}};
+  NodeType type = type_of(P::noun, Category::pattern, P::help, P{});
   append_placement(type.properties);
   return type;
 }
@@ -146,29 +132,15 @@ NodeTypes::NodeTypes() {
   add_combination(Operation::unite, "solids as one, also written a | b");
   add_combination(Operation::intersect, "what solids share, also written a & b");
   add_combination(Operation::subtract, "the first solid without the others, also written a - b");
-  nouns_.push_back({"material",
-                    Category::material,
-                    "what a surface and its inside look like",
-                    from_fields(fields(static_cast<const scene::Material*>(nullptr))),
-                    {},
-                    {},
-                    {},
-                    {}});
+  nouns_.push_back(
+      type_of("material", Category::material, "what a surface and its inside look like", scene::Material{}));
   scene::PatternKinds::for_each([&]<class P>() { nouns_.push_back(pattern_noun<P>()); });
   scene::LightKinds::for_each([&]<class L>() { nouns_.push_back(light_noun<L>()); });
-  nouns_.push_back({"camera",
-                    Category::camera,
-                    "the view of the scene",
-                    from_fields(fields(static_cast<const scene::Camera*>(nullptr))),
-                    basic_maker<scene::Camera>(),
-                    {},
-                    {},
-                    {}});
+  nouns_.push_back(type_of("camera", Category::camera, "the view of the scene", scene::Camera{}));
   scene_ = {"scene",
             Category::scene,
             "the scene itself: properties at the top level",
             from_fields(fields(static_cast<const scene::Scene*>(nullptr))),
-            {},
             {},
             {},
             {}};

@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace rt::lang {
@@ -47,15 +49,28 @@ struct Property {
   bool is_textured() const { return field && field->is_textured; }
 };
 
-/// How a shape or light of a kind known only at run time is made: in memory of `maker_room` bytes aligned to
-/// `std::max_align_t`.
-struct Maker {
-  void (*construct)(void* memory) = nullptr;
-  void (*destroy)(void* memory) = nullptr;
-  std::optional<scene::Problem> (*check)(const void* made) = nullptr;
-  scene::ShapeRef (*add)(scene::Shapes& shapes, void* made) = nullptr; ///< moves it; shapes only
-  scene::LightSource (*light)(const void* made) = nullptr;             ///< lights only
-};
+/// What a noun makes, of whatever kind it is, with nothing written. Nothing for the scene itself.
+using Prototype =
+    scene::Joined<scene::TypeList<std::monostate, scene::Material, scene::Camera>,
+                  scene::Joined<scene::Joined<scene::ShapeKinds, scene::LightKinds>, scene::PatternKinds>>::Variant;
+
+/// What the fields of its table read and set.
+inline void* owner(Prototype& made) {
+  return std::visit([](auto& of_kind) -> void* { return &of_kind; }, made);
+}
+
+/// As one of a narrower list, in which its kind must be.
+template <class Variant>
+Variant narrowed(const Prototype& made) {
+  return std::visit(
+      []<class T>(const T& of_kind) -> Variant {
+        if constexpr (std::is_constructible_v<Variant, const T&>)
+          return of_kind;
+        else
+          throw std::bad_variant_access();
+      },
+      made);
+}
 
 /// A built-in noun.
 struct NodeType {
@@ -63,9 +78,8 @@ struct NodeType {
   Category category = Category::shape;
   std::string_view help;
   std::vector<Property> properties;
-  Maker maker;
+  Prototype prototype;
   scene::Combination::Operation operation = scene::Combination::Operation::unite;
-  scene::PatternLayout pattern{};      ///< of a pattern: one of its kind with nothing written
   std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `NodeTypes::intern`
 
   /// Position in `properties`, or nothing. By symbol once the names are interned.
@@ -107,12 +121,5 @@ private:
   const NodeType* group_ = nullptr;
   const NodeType* material_ = nullptr;
 };
-
-/// Room for any shape or light that a `Maker` makes.
-inline constexpr std::size_t maker_room = [] {
-  std::size_t room = 0;
-  scene::ShapeKinds::for_each([&]<class S>() { room = room < sizeof(S) ? sizeof(S) : room; });
-  return room < sizeof(scene::LightSource) ? sizeof(scene::LightSource) : room;
-}();
 
 } // namespace rt::lang

@@ -295,18 +295,8 @@ std::optional<Value> default_value(const NodeType& type, const Property& propert
     const auto value = property.field->get(owner);
     return value ? to_value(property, *value) : std::nullopt;
   };
-  if (type.category == Category::material) {
-    const scene::Material material;
-    return read(&material);
-  }
-  if (type.category == Category::pattern)
-    return std::visit([&](const auto& layout) { return read(&layout); }, type.pattern);
-  if (type.maker.construct == nullptr) return std::nullopt;
-  alignas(std::max_align_t) std::byte room[maker_room];
-  type.maker.construct(room);
-  const auto value = read(room);
-  type.maker.destroy(room);
-  return value;
+  if (std::holds_alternative<std::monostate>(type.prototype)) return std::nullopt;
+  return std::visit([&](const auto& prototype) { return read(&prototype); }, type.prototype);
 }
 
 std::optional<Color> as_color(const Value& value) {

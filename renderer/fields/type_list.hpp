@@ -26,4 +26,17 @@ struct TypeList {
   }
 };
 
+namespace detail {
+template <class A, class B>
+struct Joined;
+template <class... A, class... B>
+struct Joined<TypeList<A...>, TypeList<B...>> {
+  using Type = TypeList<A..., B...>;
+};
+} // namespace detail
+
+/// The types of both lists.
+template <class A, class B>
+using Joined = typename detail::Joined<A, B>::Type;
+
 } // namespace rt::scene

@@ -48,7 +48,7 @@ Value ExpressionEvaluator::evaluate(NodeId node, const Context& context) {
   case Kind::comprehension:
     return comprehension_value(node, context);
   case Kind::lambda:
-    return function_value(program_.functions[function_index(ast[node])], context.frame, ast.span(node));
+    return function_value(program_.functions[ast.function_index(node)], context.frame, ast.span(node));
   case Kind::call:
     return calls_.call_value(node, context);
   case Kind::index:

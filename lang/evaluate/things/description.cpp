@@ -111,17 +111,17 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
 scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   if (thing.built != 0xffffffff) return scene::PatternId{thing.built};
   scene::Pattern made;
-  made.layout = thing.type->pattern;
-  void* const layout = std::visit([](auto& of_kind) -> void* { return &of_kind; }, made.layout);
+  Prototype layout = thing.type->prototype;
   ObjectAttributes attributes_of;
   for (const PropertyValue& p : thing.properties) {
     if (p.value.is_poison()) continue;
     const Property& property = thing.type->properties[p.id];
     if (property.common == Common::none)
-      property.field->set(layout, field_value(property, p.value));
+      property.field->set(owner(layout), field_value(property, p.value));
     else
       apply(attributes_of, property, p.value);
   }
+  made.layout = narrowed<scene::PatternLayout>(layout);
   made.placement = {attributes_of.scale, attributes_of.rotate, attributes_of.at,
                     thing.chain ? thing.chain->steps : std::vector<scene::Step>{}};
   thing.built = static_cast<std::uint32_t>(builder_.pattern(std::move(made)));

@@ -8,24 +8,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 
 namespace rt::lang {
 namespace {
 
-/// Memory for a shape or light that is being made.
-class Room {
-public:
-  explicit Room(const Maker& maker) : maker_(maker) { maker_.construct(memory_); }
-  Room(const Room&) = delete;
-  Room& operator=(const Room&) = delete;
-  ~Room() { maker_.destroy(memory_); }
-  void* get() { return memory_; }
+// Why it is no thing of its kind though each field's value is one.
+std::optional<scene::Problem> problem_of(const Prototype& made) {
+  return std::visit(
+      [](const auto& of_kind) -> std::optional<scene::Problem> {
+        if constexpr (requires { scene::check(of_kind); })
+          return scene::check(of_kind);
+        else
+          return std::nullopt;
+      },
+      made);
+}
 
-private:
-  const Maker& maker_;
-  alignas(std::max_align_t) std::byte memory_[maker_room];
-};
+scene::ShapeRef add_shape(scene::Shapes& shapes, Prototype&& made) {
+  return std::visit(
+      [&]<class T>(T& of_kind) -> scene::ShapeRef {
+        if constexpr (scene::kind_of<T> < scene::ShapeKinds::size)
+          return shapes.add(std::move(of_kind));
+        else
+          throw std::bad_variant_access();
+      },
+      made);
+}
 
 Span place_of(std::span<const PropertyValue> properties, const NodeType& type, std::string_view property,
               Span otherwise) {
@@ -77,38 +85,41 @@ void SceneWriter::put(const ThingView& described, Target& target) {
                                  : "write it after `material:`, or as a material's `color`"));
 }
 
-bool SceneWriter::make(const ThingView& described, void* room) {
-  const NodeType& type = *described.type;
-  for (const PropertyValue& p : described.properties) {
+// The noun's prototype with its fields as they were written.
+Prototype SceneWriter::filled(const NodeType& type, std::span<const PropertyValue> properties) {
+  Prototype made = type.prototype;
+  void* const fields = owner(made);
+  for (const PropertyValue& p : properties) {
     const Property& property = type.properties[p.id];
-    if (property.common == Common::none) property.field->set(room, description_.field_value(property, p.value));
+    if (property.common == Common::none) property.field->set(fields, description_.field_value(property, p.value));
   }
-  const std::optional<scene::Problem> problem = type.maker.check(room);
-  if (!problem) return true;
-  fail(errors::properties_disagree(place_of(described.properties, type, problem->field, described.place),
+  return made;
+}
+
+std::optional<Prototype> SceneWriter::make(const ThingView& described) {
+  Prototype made = filled(*described.type, described.properties);
+  const std::optional<scene::Problem> problem = problem_of(made);
+  if (!problem) return made;
+  fail(errors::properties_disagree(place_of(described.properties, *described.type, problem->field, described.place),
                                    problem->message, {}, problem->advice));
-  return false;
+  return std::nullopt;
 }
 
 std::optional<scene::ShapeRef> SceneWriter::shape(const ThingView& described) {
   if (described.thing && described.thing->shape) return described.thing->shape;
-  Room room(described.type->maker);
-  if (!make(described, room.get())) return std::nullopt;
-  const scene::ShapeRef made = described.type->maker.add(scene_.shapes, room.get());
-  if (described.thing) described.thing->shape = made;
-  return made;
+  std::optional<Prototype> made = make(described);
+  if (!made) return std::nullopt;
+  const scene::ShapeRef shape = add_shape(scene_.shapes, std::move(*made));
+  if (described.thing) described.thing->shape = shape;
+  return shape;
 }
 
 // Of a thing that is about to be copied: its copies will share it.
 std::optional<scene::ShapeRef> SceneWriter::shared_shape(const Thing& thing) {
   if (thing.shape || errors_.is_unsure() || is_poisoned(thing.properties)) return thing.shape;
-  Room room(thing.type->maker);
-  for (const PropertyValue& p : thing.properties) {
-    const Property& property = thing.type->properties[p.id];
-    if (property.common == Common::none) property.field->set(room.get(), description_.field_value(property, p.value));
-  }
-  if (thing.type->maker.check(room.get())) return std::nullopt; // said when it is placed, if it is
-  thing.shape = thing.type->maker.add(scene_.shapes, room.get());
+  Prototype made = filled(*thing.type, thing.properties);
+  if (problem_of(made)) return std::nullopt; // said when it is placed, if it is
+  thing.shape = add_shape(scene_.shapes, std::move(made));
   evaluation_.has_leftovers = true;
   return thing.shape;
 }
@@ -266,14 +277,14 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
                                       fmt::format("a {} is no solid: it cannot be combined", type.name)));
     return;
   }
-  Room room(type.maker);
-  if (!make(described, room.get())) return;
+  const std::optional<Prototype> made = make(described);
+  if (!made) return;
   const auto attributes = attributes_of(described);
   if (described.chain && scene::flattens({{1, 1, 1}, {}, {}, described.chain->steps}))
     return fail_flattened(described.place);
   limits_.count_objects(1, described.place);
   scene::Light& light = target.lights->emplace_back();
-  light.source = type.maker.light(room.get());
+  light.source = narrowed<scene::LightSource>(*made);
   if (described.chain) light.chain = described.chain->steps;
   light.name = attributes.name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
@@ -292,9 +303,9 @@ void SceneWriter::put_camera(const ThingView& described, Target& target) {
   }
   camera_place_ = described.place;
   if (is_poisoned(described.properties)) return;
-  Room room(described.type->maker);
-  if (!make(described, room.get())) return;
-  scene_.camera = *static_cast<const scene::Camera*>(room.get());
+  const std::optional<Prototype> made = make(described);
+  if (!made) return;
+  scene_.camera = std::get<scene::Camera>(*made);
   scene_.camera_origin = description_.origin(described.place);
 }
 

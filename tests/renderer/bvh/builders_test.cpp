@@ -1,7 +1,7 @@
 // Embree's tree and our own must give the same answers, to the last bit.
 
 #include "renderer/bvh/bvh.hpp"
-#include "tests/renderer/bvh/random_vectors.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -82,27 +82,27 @@ struct Forest {
 } // namespace
 
 TEST_CASE("bvh: both builders find the same leaves, ties and packets included") {
-  tests::RandomVectors random(11);
+  tests::Random random(11);
   for (const std::uint32_t count : {1u, 2u, 3u, 40u, 3000u}) {
     for (const double distance : {2.0, 1e4}) {
       const double radius = 0.5 / std::cbrt(count);
       Balls first, second;
       for (std::uint32_t id = 0; id < count; ++id) {
-        const Balls::Ball ball{random.vector(1), radius * random(0.2, 2), id};
+        const Balls::Ball ball{random.vector(-1, 1), radius * random.between(0.2, 2), id};
         first.all.push_back(ball);
         if (id % 3 == 0) second.all.push_back({ball.center, ball.radius, count + id}); // meets every ray at the same t
-        if (id % 7 == 0) second.all.push_back({random.vector(1), 0, count + id});
+        if (id % 7 == 0) second.all.push_back({random.vector(-1, 1), 0, count + id});
       }
       const Forest embree(first, second, bvh::Builder::embree), portable(first, second, bvh::Builder::portable);
       std::size_t hits = 0, blocked = 0;
       for (int round = 0; round < 100; ++round) {
-        const Vec3 eye = round % 2 == 0 ? random.vector(1) : normalize(random.vector(1)) * distance;
-        const double length = std::pow(10, random(-3, 3));
+        const Vec3 eye = round % 2 == 0 ? random.vector(-1, 1) : normalize(random.vector(-1, 1)) * distance;
+        const double length = std::pow(10, random.between(-3, 3));
         std::vector<NearestBall> ours, theirs;
         std::vector<BlockingBalls> blocking;
         for (std::size_t i = 0; i < bvh::packet_size; ++i) {
-          const Vec3 target = first.all[static_cast<std::size_t>(random(0, count - 0.01))].center;
-          Vec3 direction = (target + random.vector(radius) - eye) * length;
+          const Vec3 target = first.all[static_cast<std::size_t>(random.between(0, count - 0.01))].center;
+          Vec3 direction = (target + random.vector(-radius, radius) - eye) * length;
           if (round % 5 == 0) direction = {0, 0, direction.z}; // along an axis
           const Ray ray{eye, direction};
           const Interval range{0, round % 4 == 0 ? 1 / length : std::numeric_limits<double>::max()};
@@ -132,14 +132,14 @@ TEST_CASE("bvh: both builders find the same leaves, ties and packets included") 
 }
 
 TEST_CASE("bvh: both builders find all that a whole line passes, before its origin too") {
-  tests::RandomVectors random(11);
+  tests::Random random(11);
   Balls balls;
-  for (std::uint32_t id = 0; id < 500; ++id) balls.all.push_back({random.vector(1), 0.05, id});
+  for (std::uint32_t id = 0; id < 500; ++id) balls.all.push_back({random.vector(-1, 1), 0.05, id});
   const Forest embree(balls, {}, bvh::Builder::embree), portable(balls, {}, bvh::Builder::portable);
   constexpr double most = std::numeric_limits<double>::max();
   std::size_t behind = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Ray ray{random.vector(2), random.vector(1)};
+    const Ray ray{random.vector(-2, 2), random.vector(-1, 1)};
     BlockingBalls ours(ray, {-most, most}, false), theirs(ray, {-most, most}, false);
     portable.tree.blocks(ours);
     embree.tree.blocks(theirs);

@@ -1,5 +1,5 @@
 #include "renderer/bvh/bvh.hpp"
-#include "tests/renderer/bvh/random_vectors.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -61,7 +61,7 @@ struct World {
 
 TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes from") {
   const bvh::Builder builder = GENERATE(bvh::Builder::embree, bvh::Builder::portable);
-  tests::RandomVectors random(7);
+  tests::Random random(7);
   for (const auto& [place, spread, size] : {std::tuple{0.0, 1.0, 1e-2},
                                             {0.0, 1.0, 0.0},
                                             {1e7, 1.0, 1e-3},
@@ -70,18 +70,19 @@ TEST_CASE("tree: every box that a ray meets is shown, wherever the ray comes fro
                                             {1e20, 1e19, 1e17}}) {
     Boxes boxes;
     for (int i = 0; i < 300; ++i) {
-      const Vec3 p = Vec3{place, -place, 2 * place} + random.vector(spread), half = abs(random.vector(size));
+      const Vec3 p = Vec3{place, -place, 2 * place} + random.vector(-spread, spread),
+                 half = abs(random.vector(-size, size));
       boxes.boxes.push_back({p - half, p + half});
     }
     const World world(boxes, builder);
     int hits = 0;
     for (int k = 0; k < 3000; ++k) {
       // At the middle of a box, and slightly off: from near, from far and from within.
-      const auto target = static_cast<std::size_t>(random(0, 299.99));
-      const Vec3 middle = boxes.boxes[target].center() + random.vector(size * 0.3);
-      const double distance = spread * std::pow(10, random(-3, 3));
-      const Vec3 origin = middle + random.vector(distance);
-      const Ray ray{origin, (middle - origin) * std::pow(2, random(-20, 20))};
+      const auto target = static_cast<std::size_t>(random.between(0, 299.99));
+      const Vec3 middle = boxes.boxes[target].center() + random.vector(-size * 0.3, size * 0.3);
+      const double distance = spread * std::pow(10, random.between(-3, 3));
+      const Vec3 origin = middle + random.vector(-distance, distance);
+      const Ray ray{origin, (middle - origin) * std::pow(2, random.between(-20, 20))};
       Watcher line(ray, {}), near(ray, {});
       world.tree.blocks(line);
       world.tree.nearest(near);

@@ -15,9 +15,6 @@ using Catch::Contains;
 namespace {
 
 template <class S>
-constexpr bool is_composite = std::is_same_v<S, scene::Group> || std::is_same_v<S, scene::Combination>;
-
-template <class S>
 concept HasInside = requires(const S& shape, const Vec3& point) {
   { holds(shape, point) } -> std::same_as<bool>;
 };
@@ -30,7 +27,7 @@ static_assert(!HasInside<NewSolid>);
 
 TEST_CASE("export: every shape that is no composite has an inside, or says that it has none") {
   scene::ShapeKinds::for_each([]<class S>() {
-    if constexpr (!is_composite<S>) static_assert(HasInside<S>);
+    if constexpr (!scene::is_composite<S>) static_assert(HasInside<S>);
   });
   // The middle of a solid is inside.
   CHECK(holds(scene::Sphere{}, {}));

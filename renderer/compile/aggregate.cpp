@@ -53,7 +53,7 @@ bool NearestQuery::offer(const Hit& hit, std::uint32_t slot, std::uint32_t index
     is_contested = best.t <= slack.end(hit.t);
   }
   interval.upper = slack.end(hit.t);
-  best = {hit.t, hit.part, index, 0, false, is_contested, &kind, leaves, &aggregate, base};
+  best = {hit, index, 0, false, is_contested, &kind, leaves, &aggregate, base};
   return true;
 }
 
@@ -62,7 +62,7 @@ void ShadowQuery::add_attenuation(double t, std::uint32_t slot, std::uint32_t se
 }
 
 void InspectQuery::add_hit(const Boundary& hit, std::uint32_t index, const LeafKind& kind, const void* leaves) {
-  hits->push_back({hit.t, hit.shape_part, index, hit.operand, hit.is_flipped, false, &kind, leaves, &aggregate, base});
+  hits->push_back({hit, index, hit.operand, hit.is_flipped, false, &kind, leaves, &aggregate, base});
 }
 
 void InspectQuery::add_around(std::uint32_t slot, double ior) {

@@ -99,7 +99,7 @@ void CsgSolid::push_child(const Node& node, std::uint32_t i, const Ray& ray, Tra
     const auto push = [&](const auto& placed) {
       bool is_entry = true;
       for (const Hit& hit : crossings(placed.shape, placed.carried(ray))) {
-        list.push_back({hit.t, hit.part, child.index, false, is_entry});
+        list.push_back({hit, child.index, false, is_entry});
         is_entry = !is_entry;
       }
     };
@@ -135,9 +135,7 @@ bool CsgSolid::node_contains(std::uint32_t index, const Vec3& p) const {
 }
 
 SurfacePoint CsgSolid::point(const Ray& ray, const RayHit& hit) const {
-  const Hit on_operand{hit.t, hit.shape_part};
-  SurfacePoint p =
-      std::visit([&](const auto& placed) { return placed.point(ray, on_operand); }, operands_[hit.operand].shape);
+  SurfacePoint p = std::visit([&](const auto& placed) { return placed.point(ray, hit); }, operands_[hit.operand].shape);
   if (hit.is_flipped) p.normal = -p.normal;
   return p;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "renderer/math/color.hpp"
+#include "renderer/shapes/hit.hpp"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace rt {
@@ -12,9 +12,7 @@ class Aggregate;
 struct LeafKind;
 
 /// A leaf that a ray hit, and where: enough to work out the rest for the one that counts.
-struct RayHit {
-  double t = std::numeric_limits<double>::max();
-  std::uint32_t shape_part = 0;   ///< `Hit::part`
+struct RayHit : Hit {
   std::uint32_t index = 0;        ///< of the leaf, in its set
   std::uint32_t operand = 0;      ///< of a combination
   bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
@@ -28,9 +26,7 @@ struct RayHit {
 };
 
 /// Where a line crosses the boundary of a combination.
-struct Boundary {
-  double t = 0;
-  std::uint32_t shape_part = 0;
+struct Boundary : Hit {
   std::uint32_t operand = 0;
   bool is_flipped = false; ///< of what is subtracted
   bool is_entry = false;   ///< the line enters there

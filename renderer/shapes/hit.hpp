@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 /// What every shape's geometry offers. `G` stands for SphereGeometry, PlaneGeometry and so on: the shape resolved once
 /// from what was written, in the shape's own space or placed in the scene's.
@@ -36,7 +37,7 @@ namespace rt {
 /// A crossing of a ray with a surface, at origin + t·direction. `part` says which of the shape's surfaces it is
 /// (a cylinder's side or one of its ends); it is the shape's own affair.
 struct Hit {
-  double t = 0;
+  double t = std::numeric_limits<double>::max();
   std::uint32_t part = 0;
 };
 

@@ -34,7 +34,7 @@ void SolidLeaves::nearest(std::uint32_t i, NearestQuery& query) const {
   const Boundaries boundaries(*placed.solid, ray, query.scratch);
   for (auto b = boundaries.begin(); b != boundaries.end(); ++b) {
     if (!query.interval.contains(b->t)) continue;
-    if (query.offer({b->t, b->shape_part}, tags_[i].slot, i, leaf_kind<SolidLeaves>, this)) {
+    if (query.offer(*b, tags_[i].slot, i, leaf_kind<SolidLeaves>, this)) {
       query.best.operand = b->operand;
       query.best.is_flipped = b->is_flipped;
       // A seam between parts that touch.

@@ -94,7 +94,7 @@ public:
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const {
     const Placed& p = shapes_[hit.index];
     const BindingId binding = tags_[hit.index].binding_id();
-    LeafSurface s{p.point(ray, {hit.t, hit.shape_part}), binding, binding};
+    LeafSurface s{p.point(ray, hit), binding, binding};
     if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
     if constexpr (requires { interpolated_normal(p.shape, s.point.position); })
       s.shading_normal = interpolated_normal(p.shape, s.point.position);
@@ -173,7 +173,7 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
   if (query.hits) {
     Hit hit;
     for (Interval rest = query.interval; intersect(p.shape, p.carried(query.ray), rest, hit); rest.lower = hit.t)
-      query.add_hit({hit.t, hit.part, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
+      query.add_hit({hit, 0, false, false}, i, leaf_kind<ShapeLeaves>, this);
   }
   if constexpr (Solidlike<typename Placed::G>) {
     const BindingId binding = query.resolved(tags_[i].binding_id());

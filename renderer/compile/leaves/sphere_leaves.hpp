@@ -59,7 +59,7 @@ public:
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const {
     const SphereGeometry sphere = packs_[hit.index / SpherePack::size].sphere(hit.index % SpherePack::size);
     const BindingId binding = tags_[hit.index].binding_id();
-    LeafSurface s{surface_point(sphere, ray, {hit.t, hit.shape_part}), binding, binding};
+    LeafSurface s{surface_point(sphere, ray, hit), binding, binding};
     if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
     return s;
   }

@@ -85,7 +85,7 @@ void Steps::choose(std::vector<Candidate> candidates) {
   bool has_farther = false;
   for (const Candidate& c : candidates) {
     if (&c == taken || !c.counts || !std::isfinite(c.t)) continue;
-    const std::string reason = why_not(c, t, found_.is_of_combination);
+    const std::string reason = why_not(c, t, is_operand_);
     if (reason.empty())
       has_farther = true;
     else
@@ -111,8 +111,8 @@ Affine map_of(const scene::Scene& scene, std::span<const std::uint32_t> path) {
   return map;
 }
 
-Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path, const Ray& ray,
-                  const FoundHit& found) {
+Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path, const Ray& ray, const Hit& found,
+                  bool is_operand) {
   Derivation derivation;
   const scene::Object& object = *objects_on(scene, path).back();
   const Affine map = map_of(scene, path);
@@ -123,7 +123,7 @@ Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path
   scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
     if constexpr (!scene::is_composite<S>) {
       derivation.shape = S::noun;
-      Steps steps(derivation, found);
+      Steps steps(derivation, found, is_operand);
       const auto own = geometry(shape);
       derive_shape(steps, derivation.is_own_space ? own : placed(own, map).value_or(own));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/scene/scene.hpp"
+#include "renderer/shapes/hit.hpp"
 
 #include <cstdint>
 #include <span>
@@ -37,16 +38,10 @@ struct Derivation {
   double disagreement = 0; ///< with the tracer's t, relative to it
 };
 
-/// What the tracer found.
-struct FoundHit {
-  double t = 0;
-  std::uint32_t part = 0;         ///< of the shape's surface
-  bool is_of_combination = false; ///< the shape is an operand, so not each of its surfaces counts
-};
-
-/// Of the innermost object of `path`, which must be a shape that the ray meets at `found`. `ray` is the scene's.
-Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path, const Ray& ray,
-                  const FoundHit& found);
+/// Of the innermost object of `path`, which must be a shape that the tracer found the ray to meet at `found`. `ray` is
+/// the scene's. An operand of a combination: not each of the shape's surfaces counts.
+Derivation derive(const scene::Scene& scene, std::span<const std::uint32_t> path, const Ray& ray, const Hit& found,
+                  bool is_operand);
 
 /// The map from the innermost object's own space to the scene's.
 Affine map_of(const scene::Scene& scene, std::span<const std::uint32_t> path);

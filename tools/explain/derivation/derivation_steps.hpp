@@ -11,10 +11,11 @@ namespace rt::tools::explain {
 /// Writes down a derivation.
 class Steps {
 public:
-  Steps(Derivation& derivation, const FoundHit& found) : derivation_(derivation), found_(found) {}
+  Steps(Derivation& derivation, const Hit& found, bool is_operand)
+      : derivation_(derivation), found_(found), is_operand_(is_operand) {}
 
   const Ray& ray() const { return derivation_.ray; }
-  const FoundHit& found() const { return found_; }
+  const Hit& found() const { return found_; }
 
   void equation(std::string text) { derivation_.equation = std::move(text); }
   /// Adds a quantity to the line that is being written.
@@ -42,7 +43,8 @@ public:
 
 private:
   Derivation& derivation_;
-  const FoundHit& found_;
+  const Hit& found_;
+  bool is_operand_; // of a combination
   DerivationLine line_;
 };
 

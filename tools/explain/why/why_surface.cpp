@@ -192,7 +192,7 @@ Derivation derivation_of(const Answer& answer, const SurfaceNode& s) {
   const bool is_of_combination = std::any_of(objects.begin(), objects.end(), [](const scene::Object* o) {
     return o->shape.kind == scene::kind_of<scene::Combination>;
   });
-  return derive(answer.scene, s.path, s.ray, {s.hit.t, s.hit.shape_part, is_of_combination});
+  return derive(answer.scene, s.path, s.ray, s.hit, is_of_combination);
 }
 
 std::optional<CombinationIntervals> intervals_of(const Answer& answer, const SurfaceNode& s) {

@@ -303,6 +303,9 @@ private:
       add_types(Category::pattern);
       add_colors(Nearness::place);
       break;
+    case PropertyType::metal:
+      add_types(Category::material);
+      break;
     case PropertyType::color:
       add_colors(Nearness::place);
       break;

@@ -37,6 +37,10 @@ std::string type_text(const Property& property) {
     return "fade";
   case PropertyType::resolution:
     return "[width, height]";
+  case PropertyType::metal:
+    return "metal or { n, k }";
+  case PropertyType::absorb:
+    return "{ color, distance }";
   case PropertyType::material:
     return "material, colour or pattern";
   case PropertyType::text:

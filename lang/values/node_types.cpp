@@ -10,7 +10,7 @@ namespace {
 using scene::Field;
 using scene::FieldType;
 
-static_assert(static_cast<int>(PropertyType::resolution) == static_cast<int>(FieldType::resolution));
+static_assert(static_cast<int>(PropertyType::absorb) == static_cast<int>(FieldType::absorb));
 
 Property from_field(const Field& f) {
   return {
@@ -155,6 +155,10 @@ void NodeTypes::intern(SymbolTable& symbols) {
       const auto symbol = static_cast<std::size_t>(symbols.intern(type.properties[i].name));
       if (symbol >= type.by_symbol.size()) type.by_symbol.resize(symbol + 1);
       type.by_symbol[symbol] = static_cast<std::uint8_t>(i + 1);
+      if (type.properties[i].type == PropertyType::metal)
+        type.properties[i].parts = {symbols.intern("n"), symbols.intern("k")};
+      if (type.properties[i].type == PropertyType::absorb)
+        type.properties[i].parts = {symbols.intern("color"), symbols.intern("distance")};
     }
   };
   for (NodeType& type : nouns_) index_properties(type);

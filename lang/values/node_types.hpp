@@ -3,6 +3,7 @@
 #include "lang/text/symbol.hpp"
 #include "renderer/scene/scene.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -27,6 +28,8 @@ enum class PropertyType : std::uint8_t {
   choice,
   fade,
   resolution,
+  metal,
+  absorb,
   material,
   text,
 };
@@ -45,6 +48,7 @@ struct Property {
   std::string_view help;
   std::span<const std::string_view> choices;
   const scene::Field* field = nullptr; ///< where `common` is none
+  std::array<Symbol, 2> parts{};       ///< of a metal n and k, of what is absorbed colour and distance; see `intern`
 
   bool is_textured() const { return field && field->is_textured; }
 };

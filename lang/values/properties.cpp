@@ -181,6 +181,22 @@ std::optional<Diagnostic> check_material(const Property& property, const Value& 
   return mistake;
 }
 
+std::optional<Diagnostic> check_parts(const Property& property, const Value& value) {
+  const bool is_record = value.is(ValueKind::record);
+  if (is_record && std::ranges::any_of(value.record().entries, [](const auto& e) { return e.value.is_poison(); }))
+    return std::nullopt;
+  const std::optional<scene::FieldValue> parts = as_parts(property, value);
+  if (!parts) {
+    Diagnostic mistake = wrong_type(property, value);
+    if (is_record) mistake.label = "this record has other fields, or other values in them";
+    if (has_category(value, Category::material)) mistake.label = "this material is no metal";
+    return mistake;
+  }
+  if (const scene::Metal* metal = std::get_if<scene::Metal>(&*parts))
+    return mistake_of(property, scene::detail::check_metal(*metal));
+  return mistake_of(property, scene::detail::check_absorb(std::get<scene::Absorb>(*parts)));
+}
+
 std::optional<Diagnostic> require(bool is_fine, const Property& property, const Value& value) {
   return is_fine ? std::nullopt : std::optional(wrong_type(property, value));
 }
@@ -207,6 +223,10 @@ std::string_view describe(const Property& property) {
     return "linear(d), quadratic(d) or inverse_square";
   case PropertyType::resolution:
     return "two whole numbers, [width, height]";
+  case PropertyType::metal:
+    return "a metal such as gold, or { n: …, k: … }";
+  case PropertyType::absorb:
+    return "{ color: …, distance: … }";
   case PropertyType::material:
     return "a material, a colour or a pattern";
   case PropertyType::text:
@@ -242,6 +262,9 @@ std::optional<Diagnostic> check_value(const Property& property, const Value& val
     return require(value.is(ValueKind::fade) || value.is(ValueKind::none), property, value);
   case PropertyType::resolution:
     return check_resolution(property, value);
+  case PropertyType::metal:
+  case PropertyType::absorb:
+    return check_parts(property, value);
   case PropertyType::material:
     return check_material(property, value);
   case PropertyType::text:
@@ -297,6 +320,24 @@ std::optional<Value> default_value(const NodeType& type, const Property& propert
   };
   if (std::holds_alternative<std::monostate>(type.prototype)) return std::nullopt;
   return std::visit([&](const auto& prototype) { return read(&prototype); }, type.prototype);
+}
+
+std::optional<scene::FieldValue> as_parts(const Property& property, const Value& value) {
+  if (has_category(value, Category::material) && property.type == PropertyType::metal) {
+    const auto id = value.thing().type->find(property.name);
+    const PropertyValue* own = id ? value.thing().find(*id) : nullptr;
+    return own ? as_parts(property, own->value) : std::nullopt;
+  }
+  if (!value.is(ValueKind::record) || value.record().entries.size() != property.parts.size()) return std::nullopt;
+  const Value* first = value.record().find(property.parts[0]);
+  const Value* second = value.record().find(property.parts[1]);
+  const std::optional<Color> color = first ? as_color(*first) : std::nullopt;
+  if (!color || !second) return std::nullopt;
+  if (property.type == PropertyType::absorb)
+    return second->is_number() ? std::optional(scene::FieldValue(scene::Absorb{*color, second->number()}))
+                               : std::nullopt;
+  const std::optional<Color> k = as_color(*second);
+  return k ? std::optional(scene::FieldValue(scene::Metal{*color, *k})) : std::nullopt;
 }
 
 std::optional<Color> as_color(const Value& value) {

@@ -18,6 +18,9 @@ std::optional<Diagnostic> check_value(const Property& property, const Value& val
 /// What a property is where it is not written; nothing where it has no value then (a plane's `y`).
 std::optional<Value> default_value(const NodeType& type, const Property& property);
 
+/// The metal or the absorption that the value describes as a record, or has as a material; else nothing.
+std::optional<scene::FieldValue> as_parts(const Property& property, const Value& value);
+
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);
 

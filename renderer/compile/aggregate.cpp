@@ -65,8 +65,8 @@ void InspectQuery::add_hit(const Boundary& hit, std::uint32_t index, const LeafK
   hits->push_back({hit, index, hit.operand, hit.is_flipped, false, &kind, leaves, &aggregate, base});
 }
 
-void InspectQuery::add_around(std::uint32_t slot, double ior) {
-  around->push_back({base + aggregate.order(slot), ior});
+void InspectQuery::add_around(std::uint32_t slot, BindingId medium) {
+  around->push_back({base + aggregate.order(slot), bindings.ior(medium), bindings.material(medium)});
 }
 
 void Aggregate::nearest(NearestQuery& query) const {

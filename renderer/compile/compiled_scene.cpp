@@ -18,8 +18,8 @@ namespace {
 
 // `binding` is the leaf's or what it inherits.
 void settle_medium(LeafSurface& s, const MaterialBindings& bindings, const RayHit& hit, BindingId binding) {
-  if (s.ior || binding == inherited_binding) return;
-  s.ior = s.solids ? s.solids->ior(hit.index, bindings, binding) : bindings.ior(binding);
+  if (s.medium || binding == inherited_binding) return;
+  s.medium = s.solids ? s.solids->medium(hit.index, bindings, binding) : binding;
 }
 
 LeafSurface surface_of_leaf(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) {
@@ -68,6 +68,7 @@ CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builde
   bindings_ = bindings;
   objects_ = compile(scene, scene.objects, *device_, *bindings, {}, {}, rules);
   root_ = &objects_->root();
+  absorbs_ = bindings_->absorbs();
   add_lights(scene);
 }
 
@@ -77,6 +78,7 @@ CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> pa
   device_ = cache.device_;
   bindings_ = cache.bindings_;
   root_ = &objects_->root();
+  absorbs_ = bindings_->absorbs();
   add_lights(scene);
 }
 
@@ -180,13 +182,24 @@ Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
   const MaterialBindings& bindings = *bindings_;
   const LeafSurface s = surface_in(*root_, bindings, ray, hit, 0);
   const Vec3& normal = s.point.normal;
-  return {s.point.position, normal,           s.shading_normal ? s.shading_normal->value(normal) : normal,
-          s.point.error,    order(hit),       bindings.material(s.binding),
-          s.pattern_point,  s.ior.value_or(1)};
+  const BindingId medium = s.medium.value_or(bindings.default_binding());
+  return {s.point.position,
+          normal,
+          s.shading_normal ? s.shading_normal->value(normal) : normal,
+          s.point.error,
+          order(hit),
+          bindings.material(s.binding),
+          bindings.material(medium),
+          s.pattern_point,
+          bindings.ior(medium)};
 }
 
 const MaterialValues& CompiledScene::values(const Surface& surface, MaterialValues& scratch) const {
   return bindings_->values(surface.material_id, surface.pattern_point, scratch);
+}
+
+const Absorption& CompiledScene::absorption(const Medium& medium) const {
+  return bindings_->absorption(medium.material_id);
 }
 
 bool CompiledScene::uses_ior() const {

@@ -3,6 +3,7 @@
 #include "renderer/bvh/bvh.hpp"
 #include "renderer/compile/hit_rules.hpp"
 #include "renderer/compile/ray_hit.hpp"
+#include "renderer/shading/absorption.hpp"
 #include "renderer/shading/lights.hpp"
 #include "renderer/shading/media.hpp"
 
@@ -37,8 +38,9 @@ struct Surface {
   double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
   std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
   std::uint32_t material_id = 0;
-  Vec3 pattern_point{}; ///< the point as the material's patterns see it
-  double ior = 1;       ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
+  std::uint32_t medium_material_id = 0; ///< the inside of the solid is this material's
+  Vec3 pattern_point{};                 ///< the point as the material's patterns see it
+  double ior = 1; ///< of the solid that the surface belongs to: a combination's is one for all its surfaces
 };
 
 /// A scene made ready for tracing: immutable, shared by all threads.
@@ -90,6 +92,9 @@ public:
   /// The transparent solids that hold `p`, in the order of declaration: the list that a ray from the eye starts with.
   /// An open cylinder or cone counts by the volume that its ends would close.
   std::vector<Medium> around(const Vec3& p) const;
+  /// What the medium takes of light; and whether any in the scene takes some.
+  const Absorption& absorption(const Medium& medium) const;
+  bool absorbs() const { return absorbs_; }
   /// Whether any material has an index of refraction that matters. Without one `around` is empty.
   bool uses_ior() const;
 
@@ -124,6 +129,7 @@ private:
   std::vector<SkyEmitter> skies_;
   Color background_, ambient_;
   int max_depth_;
+  bool absorbs_ = false;
 };
 
 } // namespace rt

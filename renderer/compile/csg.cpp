@@ -148,17 +148,17 @@ std::vector<std::uint32_t> CsgSolid::path(std::uint32_t operand) const {
   return path;
 }
 
-double CsgSolid::ior(const MaterialBindings& bindings, BindingId inherited) const {
+BindingId CsgSolid::medium(const MaterialBindings& bindings, BindingId inherited) const {
   for (const BindingId candidate : media_) {
     const BindingId binding = candidate == inherited_binding ? inherited : candidate;
-    if (bindings.uses_ior(binding)) return bindings.ior(binding);
+    if (bindings.uses_ior(binding)) return binding;
   }
-  return 1;
+  return MaterialBindings::default_binding();
 }
 
 bool CsgSolid::is_medium(const MaterialBindings& bindings, BindingId inherited) const {
   return std::any_of(operands_.begin(), operands_.end(), [&](const Operand& operand) {
-    return !bindings.is_opaque(operand.binding == inherited_binding ? inherited : operand.binding);
+    return bindings.is_medium(operand.binding == inherited_binding ? inherited : operand.binding);
   });
 }
 

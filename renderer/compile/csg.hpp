@@ -49,9 +49,9 @@ public:
   /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
 
-  /// The index of refraction of the inside, if the combination itself writes no material with one: that of its leftmost
-  /// part that has one, or 1. A combination within this one counts by its own material first.
-  double ior(const MaterialBindings& bindings, BindingId inherited) const;
+  /// Whose material the inside is of, if the combination itself writes none with an index of refraction: its leftmost
+  /// part that has one; the default material's if none has. A combination within this one counts by its own first.
+  BindingId medium(const MaterialBindings& bindings, BindingId inherited) const;
   /// Whether any of its surfaces lets light in.
   bool is_medium(const MaterialBindings& bindings, BindingId inherited) const;
 

@@ -5,7 +5,7 @@
 namespace rt {
 
 MaterialBindings::MaterialBindings(const scene::Scene& scene) : materials_(scene) {
-  bindings_.push_back({materials_.default_material(), nowhere, true, false, false});
+  bindings_.push_back({materials_.default_material(), nowhere, true, false, false, false});
   extend(scene);
 }
 
@@ -16,7 +16,7 @@ void MaterialBindings::extend(const scene::Scene& scene) {
     const bool is_opaque = scene::is_opaque(scene.materials[i]), uses_ior = !is_opaque || scene.materials[i].fresnel;
     placeless_.push_back(BindingId{static_cast<std::uint32_t>(bindings_.size())});
     const bool shines = scene::shines(scene.materials[i]);
-    bindings_.push_back({material, nowhere, is_opaque, uses_ior, shines});
+    bindings_.push_back({material, nowhere, is_opaque, scene::is_medium(scene.materials[i]), uses_ior, shines});
     uses_ior_ = uses_ior_ || uses_ior;
     any_shines_ = any_shines_ || shines;
   }

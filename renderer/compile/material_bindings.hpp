@@ -36,6 +36,8 @@ public:
 
   /// Whether it lets no light by anywhere.
   bool is_opaque(BindingId binding) const { return at(binding).is_opaque; }
+  /// Whether rays that pass it enter or leave a medium.
+  bool is_medium(BindingId binding) const { return at(binding).is_medium; }
   /// Whether the index of refraction of the binding's material matters at all, and whether any binding's does.
   bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }
   bool uses_ior() const { return uses_ior_; }
@@ -45,6 +47,10 @@ public:
   std::uint32_t material(BindingId binding) const { return at(binding).material; }
   /// 1 where it does not matter.
   double ior(BindingId binding) const { return uses_ior(binding) ? materials_.constant(at(binding).material).ior : 1; }
+
+  /// What is taken of light inside of a material, by its index; and whether there is any that takes some.
+  const Absorption& absorption(std::uint32_t material) const { return materials_.absorption(material); }
+  bool absorbs() const { return materials_.absorbs(); }
 
   /// Where the patterns see the point `p` of the space where the binding is looked up.
   Vec3 pattern_point(BindingId binding, const Vec3& p) const {
@@ -69,6 +75,7 @@ private:
     std::uint32_t material;
     std::uint32_t place;
     bool is_opaque;
+    bool is_medium;
     bool uses_ior;
     bool shines;
   };

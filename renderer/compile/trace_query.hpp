@@ -69,7 +69,7 @@ struct InspectQuery : ShadowQuery {
   using ShadowQuery::ShadowQuery;
 
   void add_hit(const Boundary& hit, std::uint32_t index, const LeafKind& kind, const void* leaves);
-  void add_around(std::uint32_t slot, double ior);
+  void add_around(std::uint32_t slot, BindingId medium);
 
   std::vector<RayHit>* hits = nullptr;
   std::vector<Medium>* around = nullptr;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,46 @@ struct Fade {
   friend bool operator==(const Fade&, const Fade&) = default;
 };
 
+/// The complex index of refraction n + ik of a metal, for each channel.
+struct Metal {
+  Color n = white, k = black;
+  friend bool operator==(const Metal&, const Metal&) = default;
+};
+
+/// What a medium leaves of white light after a way of `distance`, in scene lengths.
+struct Absorb {
+  Color color = white;
+  double distance = 1;
+  friend bool operator==(const Absorb&, const Absorb&) = default;
+};
+
+/// A value that knows whether it was written: where it was not, something else that was may imply another.
+template <class T>
+class Implicit {
+public:
+  Implicit() = default;
+  /// Written.
+  template <class U>
+  requires(std::is_convertible_v<U, T> && !std::is_same_v<std::remove_cvref_t<U>, Implicit>) Implicit(U&& value)
+      : value_(std::forward<U>(value)), is_written_(true) {}
+  static Implicit unwritten(T value) {
+    Implicit made(std::move(value));
+    made.is_written_ = false;
+    return made;
+  }
+
+  bool is_written() const { return is_written_; }
+  const T& value() const { return value_; }
+  operator const T&() const { return value_; }
+  friend bool operator==(const Implicit&, const Implicit&) = default;
+  /// Of the value alone.
+  friend bool operator==(const Implicit& a, const T& b) { return a.value_ == b; }
+
+private:
+  T value_{};
+  bool is_written_ = false;
+};
+
 /// One of a field's `choices`, by its position there.
 struct Choice {
   int index = 0;
@@ -49,12 +90,15 @@ enum class FieldType : std::uint8_t {
   choice,     ///< one of `Field::choices`, written as a bare name
   fade,       ///< linear(d), quadratic(d) or inverse_square
   resolution, ///< two whole numbers, width and height
+  metal,      ///< a record of n and k, or a material that has one
+  absorb,     ///< a record of a colour and a distance
 };
 
 /// Width and height in pixels.
 using Resolution = std::array<int, 2>;
 
-using FieldValue = std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution>;
+using FieldValue =
+    std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution, Metal, Absorb>;
 
 /// One property of a description type.
 struct Field {
@@ -95,6 +139,15 @@ template <class T>
 struct Unwrap<std::optional<T>> {
   using Type = T;
 };
+template <class T>
+struct Unwrap<Implicit<T>> {
+  using Type = T;
+};
+
+template <class T>
+constexpr bool is_optional = false;
+template <class T>
+constexpr bool is_optional<std::optional<T>> = true;
 
 template <class T>
 constexpr bool is_points = std::is_same_v<T, std::vector<Vec3>>;
@@ -152,6 +205,16 @@ inline std::optional<Violation> check_choice(const Field& field, int index) {
   return Violation{Violation::Kind::out_of_bounds, "must be one of its choices", "this is none"};
 }
 
+/// Numbers that a metal and a medium are made of: n above 0, k from 0; a colour from 0 to 1.
+inline std::optional<Violation> check_metal(const Metal& metal) {
+  if (auto violation = check(positive, metal.n)) return violation;
+  return check(not_negative, metal.k);
+}
+inline std::optional<Violation> check_absorb(const Absorb& absorb) {
+  if (auto violation = check(zero_to_one, absorb.color)) return violation;
+  return check(positive, absorb.distance);
+}
+
 template <class T>
 std::optional<Violation> check_points(const Field& field, const T& points) {
   for (const Vec3& point : points)
@@ -169,6 +232,10 @@ std::optional<Violation> check_value(const Field& field, const T& value) {
     return check_points(field, value);
   else if constexpr (std::is_same_v<T, Fade>)
     return check(positive, value.distance);
+  else if constexpr (std::is_same_v<T, Metal>)
+    return check_metal(value);
+  else if constexpr (std::is_same_v<T, Absorb>)
+    return check_absorb(value);
   else if constexpr (std::is_same_v<T, Resolution>)
     return check(field.constraint, Vec3{static_cast<double>(value[0]), static_cast<double>(value[1]), 1.0});
   else if constexpr (is_paint<T>)
@@ -193,6 +260,10 @@ constexpr FieldType default_type() {
     return FieldType::fade;
   else if constexpr (std::is_same_v<T, Resolution>)
     return FieldType::resolution;
+  else if constexpr (std::is_same_v<T, Metal>)
+    return FieldType::metal;
+  else if constexpr (std::is_same_v<T, Absorb>)
+    return FieldType::absorb;
   else if constexpr (is_points<T>)
     return FieldType::points;
   else if constexpr (std::is_enum_v<T>)
@@ -235,14 +306,14 @@ constexpr Field field(std::string_view name, const FieldText& text) {
       [](void* owner, const FieldValue& value) { static_cast<Owner*>(owner)->*Member = detail::from_value<T>(value); },
       [](const void* owner) -> std::optional<FieldValue> {
         const Stored& member = static_cast<const Owner*>(owner)->*Member;
-        if constexpr (std::is_same_v<Stored, T>)
+        if constexpr (!detail::is_optional<Stored>)
           return detail::to_value<T>(member);
         else
           return member ? std::optional<FieldValue>(detail::to_value<T>(*member)) : std::nullopt;
       },
       [](const Field& self, const void* owner) -> std::optional<Violation> {
         const Stored& member = static_cast<const Owner*>(owner)->*Member;
-        if constexpr (std::is_same_v<Stored, T>)
+        if constexpr (!detail::is_optional<Stored>)
           return detail::check_value<T>(self, member);
         else
           return member ? detail::check_value<T>(self, *member) : std::nullopt;

@@ -127,12 +127,20 @@ private:
       if (Rules::joins_touching && (hits[i].is_contested || is_in_contact(&path))) [[unlikely]] {
         meet_touching(path, hits[i], interactions);
       } else if (hits[i]) {
+        absorb(path, hits[i].t);
         arrive(
             path, hits[i], [&] { return scene_.surface(path.ray, hits[i]); }, interactions);
       } else {
+        absorb(path, hits[i].t);
         model_.escape(path);
       }
     }
+  }
+
+  // What the medium takes that the path has gone through; endless is as far as no hit.
+  void absorb(PathState& path, double length) {
+    if (scene_.absorbs()) [[unlikely]]
+      model_.absorb(path, length);
   }
 
   static bool is_in_contact(const PathState* path) { return path->contact.is_inside(); }
@@ -149,7 +157,9 @@ private:
   template <std::size_t Size>
   [[gnu::noinline]] void meet_touching(PathState& path, RayHit hit, StaticVector<Interaction, Size>& interactions) {
     Contacts& contacts = *path.contacts;
+    const bool has_come = !is_in_contact(&path);
     for (Interval rest = Rules::hit_range(); !is_in_contact(&path);) {
+      if (!hit.is_contested) absorb(path, hit.t);
       if (!hit) return model_.escape(path);
       if (!hit.is_contested)
         return arrive(
@@ -164,6 +174,7 @@ private:
       }
     }
     const ContactSurface met = contacts.surface(path.contact);
+    if (has_come) absorb(path, met.hit.t);
     if (path.contact.count == 1) path.contact = {};
     arrive(
         path, met.hit, [&] { return met.surface; }, interactions);
@@ -278,7 +289,8 @@ private:
     PathState& path = *s.at->path;
     if (is_in_contact(&path)) [[unlikely]]
       return transmit_in_contact(s, depth, batch);
-    const MediumStacks::List behind = path.media->after(path.inside, s.medium, path.owned_from);
+    const MediumStacks::List behind =
+        s.is_thin ? path.inside : path.media->after(path.inside, s.medium, path.owned_from);
     if (!s.terms.is_bent) return model_.transmit_straight(s, behind, depth);
     add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
     return false;

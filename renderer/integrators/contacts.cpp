@@ -22,8 +22,10 @@ Contacts::Position Contacts::meet(const CompiledScene& scene, const Ray& ray, co
   for (const MetSurface& m : met) {
     const MediumStacks::List before = list;
     const std::uint64_t id = m.surface.order;
-    if (met.size() > 1)
-      list = media.holds(inside, id) ? media.without(list, id) : media.with(list, inside.size, {id, m.surface.ior});
+    MaterialValues scratch_values;
+    if (met.size() > 1 && !scene.values(m.surface, scratch_values).thin)
+      list = media.holds(inside, id) ? media.without(list, id)
+                                     : media.with(list, inside.size, {id, m.surface.ior, m.surface.medium_material_id});
     surfaces_.push_back({m, ray, before, list});
   }
   return {free, static_cast<std::uint32_t>(met.size())};
@@ -31,7 +33,8 @@ Contacts::Position Contacts::meet(const CompiledScene& scene, const Ray& ray, co
 
 MediumTransition Contacts::transition(const Position& p, const MediumStacks& media) const {
   const ContactSurface& s = surface(p);
-  return media.transition(p.is_backward ? s.behind : s.before, behind(p), {s.surface.order, s.surface.ior});
+  return media.transition(p.is_backward ? s.behind : s.before, behind(p),
+                          {s.surface.order, s.surface.ior, s.surface.medium_material_id});
 }
 
 Contacts::Position Contacts::after(const Position& p, const Vec3& direction) const {

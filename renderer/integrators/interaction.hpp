@@ -47,6 +47,7 @@ struct Scattering {
   MediumTransition transition{};
   double eta = 1; ///< ior before the surface by the ior behind it
   SpecularTerms terms{};
+  bool is_thin = false; ///< what passes is in the same medium as before
 };
 
 } // namespace rt

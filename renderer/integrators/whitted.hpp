@@ -44,6 +44,15 @@ public:
   /// The path has come to a place where surfaces touch.
   void touch(const Contacts& contacts) { recorder_.touching(contacts.met()); }
 
+  /// The path has come this far through what is inside of it.
+  void absorb(PathState& path, double length) {
+    const Medium* medium = path.media->top(path.inside);
+    if (!medium || scene_.absorption(*medium).is_clear()) return;
+    const Color left = scene_.absorption(*medium).left_after(length);
+    recorder_.absorption(left, length);
+    path.passed *= left;
+  }
+
   void add_own_light(Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
     const Color ambient = at.bsdf.body() * v.ambient * scene_.ambient(), emission = at.bsdf.body() * v.emission;
@@ -72,9 +81,12 @@ public:
     const MaterialValues& v = at.bsdf.values();
     const MediumStacks& media = *at.path->media;
     const MediumStacks::List inside = at.path->inside;
-    Scattering s{&at, {at.surface.order, at.surface.ior}};
+    Scattering s{&at, {at.surface.order, at.surface.ior, at.surface.medium_material_id}};
+    s.is_thin = v.thin;
     double fresnel_eta = 1;
-    if (at.path->contact.is_inside()) {
+    if (at.bsdf.is_transparent() && v.thin) {
+      s.transition = {MediumTransition::Kind::through_sheet, media.top_ior(inside), media.top_ior(inside)};
+    } else if (at.path->contact.is_inside()) {
       s.transition = at.path->contacts->transition(at.path->contact, media);
       s.eta = s.transition.eta();
       fresnel_eta = 1 / s.eta;
@@ -82,7 +94,7 @@ public:
       s.transition = media.transition(inside, s.medium);
       s.eta = Rules::eta(s.transition.eta(), touches_void(s.transition, inside));
     }
-    if (at.bsdf.is_mirror() && v.fresnel && !at.path->contact.is_inside())
+    if (at.bsdf.is_mirror() && v.fresnel && (v.thin || !at.path->contact.is_inside()))
       fresnel_eta =
           Rules::eta(media.fresnel_eta(inside, s.medium), touches_void(media.transition(inside, s.medium), inside));
     s.terms = at.bsdf.specular(at.cosine, s.eta, fresnel_eta);

@@ -65,4 +65,15 @@ double exponential_decay(double x) {
   return result;
 }
 
+// x = m·2^e with m about 1: e·ln 2 + 2·artanh((m − 1)/(m + 1)), the latter by its series.
+double natural_logarithm(double x) {
+  int e = 0;
+  double m = std::frexp(x, &e);
+  if (m < std::numbers::sqrt2 / 2) m *= 2, --e;
+  const double s = (m - 1) / (m + 1), z = s * s;
+  double sum = 0;
+  for (int n = 23; n >= 1; n -= 2) sum = 1.0 / n + z * sum;
+  return e * std::numbers::ln2 + 2 * s * sum;
+}
+
 } // namespace rt

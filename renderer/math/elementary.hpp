@@ -21,4 +21,7 @@ double arc_cosine(double cosine);
 /// e to the power of −x, x between 0 and 700.
 double exponential_decay(double x);
 
+/// To the base e, of a positive number.
+double natural_logarithm(double x);
+
 } // namespace rt

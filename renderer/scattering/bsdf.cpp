@@ -36,7 +36,8 @@ Color ground_albedo(const MaterialValues& v) {
   return v.color * (1 - v.refract) * v.diffuse;
 }
 
-/// The reflectance of the facets, for tables of this curve.
+/// The reflectance of the facets, for tables of this curve. A metal has its colour from n and k: what `color` says is
+/// of its ground, and what Whitted's model tints it by.
 Reflectance mirrored(const MaterialValues& v, const Color& share, double eta) {
   if (v.metal) return {{FresnelCurve::Kind::conductor, 1, v.metal->n, v.metal->k}, black, white, black};
   const Color weight = v.reflect * share;

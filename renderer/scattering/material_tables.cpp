@@ -92,17 +92,19 @@ ScatteringTables::ScatteringTables(const scene::Scene& scene) {
   TableMaker make;
   std::vector<double> iors{1};
   for (const scene::Material& material : scene.materials)
-    if (!is_opaque(material)) iors.push_back(material.ior);
+    if (is_medium(material)) iors.push_back(material.ior);
   std::sort(iors.begin(), iors.end());
   iors.erase(std::unique(iors.begin(), iors.end()), iors.end());
   const auto varies = [](const auto& paint) { return std::holds_alternative<scene::PatternId>(paint); };
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
     const bool is_own = i != Materials::default_material();
     const scene::Material m = is_own ? scene.materials[i - 1] : scene::Material{};
-    const Varying varying{.shininess = varies(m.shininess),
+    const Varying varying{.roughness = m.roughness && varies(*m.roughness),
+                          .shininess = varies(m.shininess.value()),
                           .specular = varies(m.specular),
-                          .reflect = varies(m.reflect),
-                          .refract = varies(m.refract)};
+                          .reflect = varies(m.reflect.value()),
+                          .refract = varies(m.refract),
+                          .coat = varies(m.coat)};
     tables_.push_back(make_tables(materials.constant(i), iors, varying, make));
   }
 }

@@ -31,6 +31,12 @@ void add_to(Hasher& h, const Fade& v) {
 void add_to(Hasher& h, const Resolution& v) {
   h.add(double(v[0])).add(double(v[1]));
 }
+void add_to(Hasher& h, const Metal& v) {
+  h.add(v.n).add(v.k);
+}
+void add_to(Hasher& h, const Absorb& v) {
+  h.add(v.color).add(v.distance);
+}
 void add_to(Hasher& h, PatternId v) {
   h.add(std::uint64_t{1} << 32 | static_cast<std::uint64_t>(v));
 }

@@ -10,12 +10,6 @@ inline constexpr MaterialId no_material{0xffffffff};
 
 enum class Highlight : std::uint8_t { blinn, phong };
 
-/// The complex index of refraction n + ik of a metal, for each channel.
-struct Metal {
-  Color n = white, k = black;
-  friend bool operator==(const Metal&, const Metal&) = default;
-};
-
 /// The surface and, through `ior`, the inside of a solid: Whitted's model (An Improved Illumination Model for Shaded
 /// Display, 1980) with ambient, emission, metallic tint and Fresnel. The default material is a white matte.
 struct Material {
@@ -24,13 +18,20 @@ struct Material {
   Paint diffuse = grey(0.8);
   Paint emission = grey(0);
   NumberPaint specular = 0.0;
-  NumberPaint shininess = 32.0;
+  Implicit<NumberPaint> shininess = Implicit<NumberPaint>::unwritten(32.0);
   Highlight highlight = Highlight::blinn;
-  NumberPaint metallic = 0.0;
-  Paint reflect = black;
+  Implicit<NumberPaint> metallic = Implicit<NumberPaint>::unwritten(0.0);
+  Implicit<Paint> reflect = Implicit<Paint>::unwritten(black);
   NumberPaint refract = 0.0;
   double ior = 1;
   bool fresnel = false;
+  std::optional<NumberPaint> roughness = std::nullopt;
+  std::optional<Metal> metal = std::nullopt;
+  NumberPaint coat = 0.0;
+  double coat_roughness = 0;
+  double coat_ior = 1.5;
+  std::optional<Absorb> absorb = std::nullopt;
+  bool thin = false;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -47,5 +48,20 @@ inline bool shines(const Material& material) {
   const Color* emission = std::get_if<Color>(&material.emission);
   return !emission || *emission != black;
 }
+
+/// Whether it is the inside of a solid that rays enter and leave.
+inline bool is_medium(const Material& material) {
+  return !is_opaque(material) && !material.thin;
+}
+
+/// The share of light that a smooth metal mirrors at the normal: ((n − 1)² + k²)/((n + 1)² + k²).
+Color normal_reflectance(const Metal& metal);
+
+/// The exponent of a highlight that is as wide as a surface of this roughness makes it: 2/r⁴ − 2, the Blinn and Phong
+/// model's for α = r² (B. Walter et al., Microfacet Models for Refraction through Rough Surfaces, 2007, section 5.2).
+double shininess_of(double roughness);
+
+/// With what its `metal` and `roughness`, where that is no pattern, imply of what was not written.
+Material with_implied(Material material);
 
 } // namespace rt::scene

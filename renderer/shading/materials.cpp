@@ -17,6 +17,22 @@ void for_each_textured(F&& f) {
   f(&scene::Material::metallic, &MaterialValues::metallic);
   f(&scene::Material::reflect, &MaterialValues::reflect);
   f(&scene::Material::refract, &MaterialValues::refract);
+  f(&scene::Material::roughness, &MaterialValues::roughness);
+  f(&scene::Material::coat, &MaterialValues::coat);
+}
+
+// What a property shows, or null if it is not written.
+template <class P>
+const P* shown(const P& paint) {
+  return &paint;
+}
+template <class P>
+const P* shown(const scene::Implicit<P>& paint) {
+  return &paint.value();
+}
+template <class P>
+const P* shown(const std::optional<P>& paint) {
+  return paint ? &*paint : nullptr;
 }
 
 } // namespace
@@ -38,17 +54,27 @@ void Materials::extend(const scene::Scene& scene) {
   for (std::size_t i = entries_.size() - 1; i < scene.materials.size(); ++i) add(scene.materials[i]);
 }
 
-void Materials::add(const scene::Material& m) {
+void Materials::add(const scene::Material& described) {
+  const scene::Material m = with_implied(described);
   MaterialEntry& entry = entries_.emplace_back();
   entry.first_texture = static_cast<std::uint32_t>(textures_.size());
   entry.values.ior = m.ior;
   entry.values.highlight = m.highlight;
   entry.values.fresnel = m.fresnel;
-  for_each_textured([&](auto described, auto property) {
-    if (const scene::PatternId* pattern = std::get_if<scene::PatternId>(&(m.*described)))
+  entry.values.metal = m.metal;
+  entry.values.coat_roughness = m.coat_roughness;
+  entry.values.coat_ior = m.coat_ior;
+  entry.values.thin = m.thin;
+  if (m.absorb && is_medium(m)) entry.absorption = Absorption(*m.absorb);
+  absorbs_ = absorbs_ || !entry.absorption.is_clear();
+  entry.roughness_implies_shininess = m.roughness && m.roughness->index() == 1 && !m.shininess.is_written();
+  for_each_textured([&](auto member, auto property) {
+    const auto* paint = shown(m.*member);
+    if (!paint) return;
+    if (const scene::PatternId* pattern = std::get_if<scene::PatternId>(paint))
       textures_.push_back({*pattern, property});
     else
-      entry.values.*property = std::get<0>(m.*described);
+      entry.values.*property = std::get<0>(*paint);
   });
   entry.texture_count = static_cast<std::uint32_t>(textures_.size()) - entry.first_texture;
 }
@@ -61,9 +87,12 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
     const Color shown = evaluate(texture.pattern, p);
     if (const auto* color = std::get_if<Color MaterialValues::*>(&texture.property))
       values.** color = shown;
+    else if (const auto* number = std::get_if<double MaterialValues::*>(&texture.property))
+      values.** number = shown.r;
     else
-      values.*std::get<double MaterialValues::*>(texture.property) = shown.r;
+      values.*std::get<std::optional<double> MaterialValues::*>(texture.property) = shown.r;
   }
+  if (entry.roughness_implies_shininess) values.shininess = scene::shininess_of(*values.roughness);
   return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderer/math/affine.hpp"
 #include "renderer/scene/scene.hpp"
+#include "renderer/shading/absorption.hpp"
 
 #include <variant>
 #include <vector>
@@ -41,6 +42,11 @@ public:
   static std::uint32_t index(scene::MaterialId material) { return static_cast<std::uint32_t>(material) + 1; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(entries_.size()); }
 
+  /// What the material's inside takes of light; nothing where it has none.
+  const Absorption& absorption(std::uint32_t material) const { return entries_[material].absorption; }
+  /// Whether any of them takes some.
+  bool absorbs() const { return absorbs_; }
+
   bool has_patterns(std::uint32_t material) const { return entries_[material].texture_count > 0; }
 
   /// The values of a material without patterns; those of one with them are only right in what cannot be a pattern.
@@ -52,12 +58,14 @@ public:
 private:
   struct MaterialEntry {
     MaterialValues values;
+    Absorption absorption{};
     std::uint32_t first_texture = 0, texture_count = 0;
+    bool roughness_implies_shininess = false; ///< a pattern gives the former
   };
   // A property that a pattern gives.
   struct Texture {
     scene::PatternId pattern;
-    std::variant<Color MaterialValues::*, double MaterialValues::*> property;
+    std::variant<Color MaterialValues::*, double MaterialValues::*, std::optional<double> MaterialValues::*> property;
   };
   struct Pattern {
     Affine to_pattern; // from the space it lives in
@@ -69,6 +77,7 @@ private:
   std::vector<MaterialEntry> entries_;
   std::vector<Texture> textures_; // by material
   std::vector<Pattern> patterns_;
+  bool absorbs_ = false;
 };
 
 } // namespace rt

@@ -10,6 +10,7 @@ namespace rt {
 struct Medium {
   std::uint64_t id = 0; ///< the placed solid's, different for each instance
   double ior = 1;
+  std::uint32_t material_id = 0;
 };
 
 /// What passing a surface does to the list of solids that a ray is inside of.
@@ -18,7 +19,8 @@ struct MediumTransition {
     entering,
     leaving,
     entering_outer, ///< together with a solid that lies within the one entered
-    leaving_outer   ///< while inside of another that was entered later
+    leaving_outer,  ///< while inside of another that was entered later
+    through_sheet   ///< which has no inside
   };
   Kind kind = Kind::entering;
   double ior_from = 1, ior_to = 1;
@@ -46,6 +48,8 @@ public:
     while (i < list.size && storage_[list.begin + i].id != id) ++i;
     return i;
   }
+  /// The innermost; none in the void.
+  const Medium* top(List list) const { return list.size == 0 ? nullptr : &storage_[list.begin + list.size - 1]; }
   double top_ior(List list) const { return list.size == 0 ? 1 : storage_[list.begin + list.size - 1].ior; }
 
   List make(std::span<const Medium> media) {

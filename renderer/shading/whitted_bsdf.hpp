@@ -39,7 +39,7 @@ public:
   /// The share of the colour that is not transparent.
   const Color& body() const { return body_; }
 
-  bool is_mirror() const { return values_->reflect != black; }
+  bool is_mirror() const { return values_->reflect != black || values_->coat > 0; }
   bool is_transparent() const { return values_->refract > 0; }
 
   /// What is reflected against `ray`, the direction of the viewer's ray, of light that arrives from `to_light` with
@@ -67,7 +67,7 @@ public:
     const MaterialValues& v = *values_;
     SpecularTerms terms;
     if (is_transparent()) {
-      terms.is_bent = std::abs(eta - 1) >= 1e-10;
+      terms.is_bent = !v.thin && std::abs(eta - 1) >= 1e-10;
       const double cos2_behind = terms.is_bent ? cos2_refracted(cosine, eta) : 1;
       if (cos2_behind < 0) {
         terms.rho = white;
@@ -79,6 +79,7 @@ public:
     if (is_mirror()) {
       if (v.fresnel) terms.reflectance = fresnel_reflectance(cosine, fresnel_eta);
       terms.rho = v.reflect * metallic_tint(v.metallic, cosine, v.color) * terms.reflectance;
+      if (v.coat > 0) terms.rho += grey(v.coat * fresnel_reflectance(cosine, v.coat_ior));
     }
     if (is_transparent()) {
       terms.is_transparent = true;

@@ -22,6 +22,11 @@ std::string material_text(const HitReport& hit) {
   if (!(m.reflect == black)) text += fmt::format(", reflect {}", text_of(m.reflect));
   if (m.refract != 0) text += fmt::format(", refract {:.10g}, ior {:.10g}", m.refract, hit.ior);
   if (m.fresnel) text += ", fresnel";
+  if (m.thin) text += ", thin";
+  if (m.roughness) text += fmt::format(", roughness {:.10g}", *m.roughness);
+  if (m.metal) text += fmt::format(", metal {{ n: {}, k: {} }}", text_of(m.metal->n), text_of(m.metal->k));
+  if (m.coat != 0)
+    text += fmt::format(", coat {:.10g} (roughness {:.10g}, ior {:.10g})", m.coat, m.coat_roughness, m.coat_ior);
   if (!(m.emission == black)) text += fmt::format(", emission {}", text_of(m.emission));
   return text;
 }
@@ -45,18 +50,9 @@ std::string place_text(const std::vector<HitReport>& hits, std::size_t i) {
   return fmt::format(", in one place with hit {}", first - hits.begin() + 1);
 }
 
-json hit_json(const scene::Scene& scene, const HitReport& hit) {
+json material_json(const HitReport& hit) {
   const MaterialValues& m = hit.material;
-  return {{"objects", objects_json(scene, hit.path)},
-          {"t", hit.t},
-          {"distance", hit.distance},
-          {"point", to_json(hit.point)},
-          {"normal", to_json(hit.geometric_normal)},
-          {"shading_normal", to_json(hit.shading_normal)},
-          {"enters", hit.enters},
-          {"place", hit.place},
-          {"material",
-           {{"color", to_json(m.color)},
+  json j = {{"color", to_json(m.color)},
             {"ambient", to_json(m.ambient)},
             {"diffuse", to_json(m.diffuse)},
             {"emission", to_json(m.emission)},
@@ -67,7 +63,24 @@ json hit_json(const scene::Scene& scene, const HitReport& hit) {
             {"reflect", to_json(m.reflect)},
             {"refract", m.refract},
             {"ior", hit.ior},
-            {"fresnel", m.fresnel}}}};
+            {"fresnel", m.fresnel}};
+  if (m.thin) j["thin"] = true;
+  if (m.roughness) j["roughness"] = *m.roughness;
+  if (m.metal) j["metal"] = {{"n", to_json(m.metal->n)}, {"k", to_json(m.metal->k)}};
+  if (m.coat != 0) j["coat"] = m.coat, j["coat_roughness"] = m.coat_roughness, j["coat_ior"] = m.coat_ior;
+  return j;
+}
+
+json hit_json(const scene::Scene& scene, const HitReport& hit) {
+  return {{"objects", objects_json(scene, hit.path)},
+          {"t", hit.t},
+          {"distance", hit.distance},
+          {"point", to_json(hit.point)},
+          {"normal", to_json(hit.geometric_normal)},
+          {"shading_normal", to_json(hit.shading_normal)},
+          {"enters", hit.enters},
+          {"place", hit.place},
+          {"material", material_json(hit)}};
 }
 
 } // namespace

@@ -79,6 +79,10 @@ private:
     sink_.key(key);
     vector(v);
   }
+  void color(std::string_view key, const Color& c) {
+    sink_.key(key);
+    numbers({c.r, c.g, c.b});
+  }
   void numbers(std::initializer_list<double> values) {
     sink_.begin_array();
     for (const double value : values) sink_.number(value);
@@ -125,6 +129,19 @@ private:
     sink_.begin_object();
     text("law", scene::name(fade.law));
     number("distance", fade.distance);
+    sink_.end_object();
+  }
+
+  void value(const scene::Field&, const scene::Metal& metal) {
+    sink_.begin_object();
+    color("n", metal.n);
+    color("k", metal.k);
+    sink_.end_object();
+  }
+  void value(const scene::Field&, const scene::Absorb& absorb) {
+    sink_.begin_object();
+    color("color", absorb.color);
+    number("distance", absorb.distance);
     sink_.end_object();
   }
 

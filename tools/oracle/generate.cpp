@@ -71,6 +71,14 @@ void set_number(Dice& dice, Block& material, const char* name, double low, doubl
   set_value(dice, material, name, [&](Dice& d) { return text(d.between(low, high)); });
 }
 
+// With numbers of its own, so that the scenes of the long runs keep theirs.
+void make_physical(Dice dice, Block& m) {
+  constexpr const char* metals[] = {"gold", "iron", "{ n: 1.2, k: linear_rgb(1, 2, 3) }"};
+  Dice own(dice.bits());
+  if (own.chance(0.06)) m.set("metal", metals[own.below(3)]);
+  if (own.chance(0.1)) set_value(own, m, "roughness", [](Dice& d) { return text(d.between(0.2, 1)); });
+}
+
 Block opaque(Dice& dice) {
   Block m = block("material");
   if (dice.chance(0.25))
@@ -88,6 +96,7 @@ Block opaque(Dice& dice) {
   if (dice.chance(0.3)) set_value(dice, m, "metallic", [](Dice& d) { return text(d.chance(0.3) ? 1 : d.unit()); });
   if (dice.chance(0.3))
     set_value(dice, m, "reflect", [](Dice& d) { return d.chance(0.7) ? text(d.between(0.05, 0.6)) : color(d); });
+  make_physical(dice, m);
   return m;
 }
 

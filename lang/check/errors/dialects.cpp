@@ -222,7 +222,6 @@ constexpr ForeignProperty properties[] = {
     {"albedo", "color"},
     {"phong", "specular"},
     {"phong_size", "shininess"},
-    {"roughness", "shininess"},
     {"exponent", "shininess"},
     {"reflection", "reflect"},
     {"reflectivity", "reflect"},
@@ -236,7 +235,8 @@ constexpr ForeignProperty properties[] = {
     {"emissive", "emission"},
     {"glow", "emission"},
     {"metalness", "metallic"},
-    {"metal", "metallic"},
+    {"clearcoat", "coat"},
+    {"absorption", "absorb"},
     {"brightness", "intensity"},
     {"power", "intensity"},
     {"strength", "intensity"},
@@ -302,7 +302,6 @@ std::string dialect_property(std::string_view property, const NodeType* type) {
     if (property == "diameter" || property == "d") return "write `radius`, half of the diameter";
     if (property == "opacity") return "write `refract`, which is 0 where nothing shines through";
     if (word.ours == "size" && property != "dimensions" && property != "resolution") return size_advice(*type);
-    if (property == "roughness") return "write `shininess`: the higher, the smoother";
     return fmt::format("write `{}`", word.ours);
   }
   if (type->has_chain() && property == "move") return "write `at`, or `.move(…)` behind the thing";

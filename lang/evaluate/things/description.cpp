@@ -53,6 +53,9 @@ FieldValue DescriptionWriter::field_value(const Property& property, const Value&
     const Vec3& v = value.vector();
     return scene::Resolution{static_cast<int>(v.x), static_cast<int>(v.y)};
   }
+  case PropertyType::metal:
+  case PropertyType::absorb:
+    return *as_parts(property, value);
   case PropertyType::material:
   case PropertyType::text:
     break; // no field is of these types

@@ -224,7 +224,8 @@ void SceneWriter::remark_medium(const ThingView& described, scene::ShapeRef made
   const Thing& thing = material->thing();
   const PropertyValue* refract = thing.find(*thing.type->find(std::string_view("refract")));
   const PropertyValue* ior = thing.find(*thing.type->find(std::string_view("ior")));
-  if (!refract || ior) return;
+  const PropertyValue* thin = thing.find(*thing.type->find(std::string_view("thin")));
+  if (!refract || ior || (thin && thin->value.is(ValueKind::boolean) && thin->value.truth())) return;
   const Value& share = refract->value;
   const bool bends_nothing = is_pattern(share) || (share.is_number() && share.number() > 0);
   if (!bends_nothing || !builder_.open_part(made).empty()) return;

@@ -74,13 +74,13 @@ bool SolidLeaves::inspect(std::uint32_t i, InspectQuery& query) const {
   }
   const BindingId inherited = query.resolved(tags_[i].binding_id());
   if (query.around && placed.solid->is_medium(query.bindings, inherited) && placed.solid->contains(ray.origin))
-    query.add_around(tags_[i].slot, ior(i, query.bindings, inherited));
+    query.add_around(tags_[i].slot, medium(i, query.bindings, inherited));
   return false;
 }
 
-double SolidLeaves::ior(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const {
-  if (solids_[i].owns_material && bindings.uses_ior(inherited)) return bindings.ior(inherited);
-  return solids_[i].solid->ior(bindings, inherited);
+BindingId SolidLeaves::medium(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const {
+  if (solids_[i].owns_material && bindings.uses_ior(inherited)) return inherited;
+  return solids_[i].solid->medium(bindings, inherited);
 }
 
 LeafSurface SolidLeaves::surface(const MaterialBindings& bindings, const Ray& outer, const RayHit& hit) const {

@@ -32,7 +32,7 @@ struct LeafSurface {
   Vec3 pattern_point{};                                  ///< unless the binding is inherited
   const SolidLeaves* solids = nullptr;                   ///< of a combination, whose medium may be another's
   std::optional<InterpolatedNormal> shading_normal = {}; ///< none: the point's
-  std::optional<double> ior = {};                        ///< as soon as it is known
+  std::optional<BindingId> medium = {};                  ///< as soon as it is known
 };
 
 /// What can be asked of a leaf whose type was erased: one table for each type of set. A leaf may hold several shapes;
@@ -129,9 +129,9 @@ public:
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const;
 
-  /// The index of refraction of the inside: that of the combination's own material, else of its leftmost part that has
-  /// one. `inherited` is the binding that its parts inherit: its own if it has one.
-  double ior(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const;
+  /// Whose material the inside is of: the combination's own, else its leftmost part's that has an index of refraction.
+  /// `inherited` is the binding that its parts inherit: its own if it has one.
+  BindingId medium(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
   bool inspect(std::uint32_t i, InspectQuery& query) const;
@@ -177,8 +177,8 @@ bool ShapeLeaves<Placed>::inspect(std::uint32_t i, InspectQuery& query) const {
   }
   if constexpr (Solidlike<typename Placed::G>) {
     const BindingId binding = query.resolved(tags_[i].binding_id());
-    if (query.around && !query.bindings.is_opaque(binding) && contains(p.shape, p.carried(query.ray.origin)))
-      query.add_around(tags_[i].slot, query.bindings.ior(binding));
+    if (query.around && query.bindings.is_medium(binding) && contains(p.shape, p.carried(query.ray.origin)))
+      query.add_around(tags_[i].slot, binding);
   }
   return false;
 }

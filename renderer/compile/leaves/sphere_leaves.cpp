@@ -99,8 +99,8 @@ bool ShapeLeaves<Baked<SphereGeometry>>::inspect(std::uint32_t i, InspectQuery& 
       for (Interval rest = query.interval; intersect(sphere, query.ray, rest, hit); rest.lower = hit.t)
         query.add_hit({hit, 0, false, false}, index, leaf_kind<ShapeLeaves>, this);
     const BindingId binding = query.resolved(tags_[index].binding_id());
-    if (query.around && !query.bindings.is_opaque(binding) && contains(sphere, query.ray.origin))
-      query.add_around(tags_[index].slot, query.bindings.ior(binding));
+    if (query.around && query.bindings.is_medium(binding) && contains(sphere, query.ray.origin))
+      query.add_around(tags_[index].slot, binding);
   }
   return false;
 }

@@ -1,7 +1,7 @@
-#include "renderer/scattering/absorption.hpp"
 #include "renderer/scattering/fresnel.hpp"
 #include "renderer/scattering/quadrature.hpp"
 #include "renderer/scattering/tables.hpp"
+#include "renderer/shading/absorption.hpp"
 #include "tests/renderer/scattering/surfaces.hpp"
 
 #include <catch2/catch.hpp>

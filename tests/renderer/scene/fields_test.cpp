@@ -53,6 +53,10 @@ FieldValue value_for(Random& random, const Field& field) {
     return Fade{Fade::Law::quadratic, random.between(1, 10)};
   case FieldType::resolution:
     return Resolution{640, 480};
+  case FieldType::metal:
+    return Metal{{0.2, 0.9, 1.1}, {3, 2, 1}};
+  case FieldType::absorb:
+    return Absorb{{0.5, 0.6, 0.7}, random.between(1, 10)};
   }
   return {};
 }

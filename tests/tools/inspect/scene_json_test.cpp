@@ -26,7 +26,13 @@ WrittenScene everything() {
   WrittenScene b;
   const auto pattern =
       b.pattern({.layout = scene::Checker{Color{1, 0, 0}, black}, .placement = {{2, 2, 2}, {}, {}, {}}});
-  const auto tiled = b.material({.color = pattern, .reflect = Color{0.1, 0.2, 0.3}, .refract = 0.9, .ior = 1.5});
+  const auto tiled = b.material({.color = pattern,
+                                 .reflect = Color{0.1, 0.2, 0.3},
+                                 .refract = 0.9,
+                                 .ior = 1.5,
+                                 .roughness = 0.5,
+                                 .metal = scene::Metal{white, grey(2)},
+                                 .absorb = scene::Absorb{grey(0.5), 3}});
   b.scene.names = {"ball", "key \"light\"\n"};
   scene::Object& ball = b.place(scene::Sphere{0.1}, tiled, {1, 2, 1.0 / 3});
   ball.name = scene::NameId{0};
@@ -115,6 +121,8 @@ TEST_CASE("scene as JSON: settings, camera, lights, materials and patterns have 
   CHECK(material["color"] == json({{"pattern", 0}}));
   CHECK(material["reflect"] == json({0.1, 0.2, 0.3}));
   CHECK(material["highlight"] == "blinn");
+  CHECK(material["metal"] == json({{"n", {1, 1, 1}}, {"k", {2, 2, 2}}}));
+  CHECK(material["absorb"] == json({{"color", {0.5, 0.5, 0.5}}, {"distance", 3}}));
   for (const scene::Field& field : scene::fields(static_cast<const scene::Material*>(nullptr)))
     CHECK(material.contains(std::string(field.name)));
   CHECK(j["patterns"][0]["pattern"] == "checker");

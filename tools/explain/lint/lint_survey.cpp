@@ -112,7 +112,8 @@ struct Listener : NoRecorder {
 
   static bool looks_alike(const MaterialValues& a, const MaterialValues& b) {
     return a.color == b.color && a.ambient == b.ambient && a.diffuse == b.diffuse && a.emission == b.emission &&
-           a.reflect == b.reflect && a.specular == b.specular && a.shininess == b.shininess && a.metallic == b.metallic;
+           a.reflect == b.reflect && a.specular == b.specular && a.shininess == b.shininess &&
+           a.metallic == b.metallic && a.coat == b.coat;
   }
 
   /// Not only in a point or line where they touch: also beside it, on two sides.

@@ -2,6 +2,8 @@
 
 #include "renderer/integrators/whitted.hpp"
 
+#include <utility>
+
 namespace rt::tools::explain {
 namespace {
 
@@ -32,7 +34,12 @@ public:
   void miss(const Color& background) {
     if (!is_expanded()) return;
     open_.back()->end = RayNode::End::background;
-    open_.back()->background = background;
+    open_.back()->background = absorbed_ ? background * absorbed_->left : background;
+    absorbed_.reset();
+  }
+
+  void absorption(const Color& left, double length) {
+    if (is_expanded()) absorbed_ = AbsorptionNode{left, length};
   }
 
   void too_deep() {
@@ -60,9 +67,11 @@ public:
     node.surface = surface;
     node.material = values;
     node.normal = normal;
+    if (absorbed_) passed_.back() *= absorbed_->left;
     node.passed = passed_.back();
     node.touching = std::move(touching_);
     touching_.clear();
+    node.absorbed = std::exchange(absorbed_, std::nullopt);
     open_.back()->surfaces.push_back(std::move(node));
   }
 
@@ -142,7 +151,8 @@ private:
   Ray next_;                                         // that meets the next surface
   std::vector<std::vector<std::uint32_t>> touching_; // what is in the place of the next surface
   const Contacts* contacts_ = nullptr;
-  Contacts::Position position_{}; // of the last surface, if it is one of several that touch
+  Contacts::Position position_{};          // of the last surface, if it is one of several that touch
+  std::optional<AbsorptionNode> absorbed_; // on the way there
 };
 
 } // namespace

@@ -49,6 +49,12 @@ struct TotalReflectionNode {
   std::unique_ptr<RayNode> ray;
 };
 
+/// What a medium left of light on the way to where it was met.
+struct AbsorptionNode {
+  Color left = white;
+  double length = 0;
+};
+
 /// One surface that a ray met.
 struct SurfaceNode {
   Ray ray; ///< as it came: the node's own, or what goes on unbent behind the surface before; among surfaces that touch,
@@ -59,7 +65,8 @@ struct SurfaceNode {
   Surface surface;
   MaterialValues material;
   Vec3 normal;  ///< the shading normal, turned to the viewer
-  Color passed; ///< what the surfaces before it that were crossed unbent let by
+  Color passed; ///< what the surfaces before it that were crossed unbent let by, and media on the way left
+  std::optional<AbsorptionNode> absorbed; ///< on the last part of the way, if it led through a medium that takes some
   Color ambient, emission;
   std::vector<LightNode> lights;
   std::optional<MirrorNode> mirror;
@@ -84,7 +91,7 @@ struct RayNode {
   Color weight; ///< of its radiance in the first ray's
   std::vector<SurfaceNode> surfaces;
   End end = End::surface;
-  Color background;
+  Color background; ///< what of it is left by the medium that the ray ends in
   Color radiance;
   bool is_expanded = true; ///< false: there were too many rays, and only the radiance is known
 };

@@ -57,7 +57,8 @@ std::string_view name_of(MediumTransition::Kind kind) {
   return kind == MediumTransition::Kind::entering         ? "entering"
          : kind == MediumTransition::Kind::leaving        ? "leaving"
          : kind == MediumTransition::Kind::entering_outer ? "entering_outer"
-                                                          : "leaving_outer";
+         : kind == MediumTransition::Kind::leaving_outer  ? "leaving_outer"
+                                                          : "through_sheet";
 }
 
 json passage_json(const MediumTransition& p) {
@@ -103,6 +104,7 @@ private:
     j["color"] = to_json(m.color);
     j["refract"] = m.refract;
     j["passed"] = to_json(s.passed);
+    if (s.absorbed) j["absorbed"] = {{"left", to_json(s.absorbed->left)}, {"length", s.absorbed->length}};
     j["ambient"] = to_json(s.ambient);
     j["emission"] = to_json(s.emission);
     json lights = json::array();

@@ -208,6 +208,9 @@ void write_meeting(const Answer& answer, const SurfaceNode& s, Page& page, int i
   }
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
                                 vector_text(s.surface.point), side_text(answer, s)));
+  if (s.absorbed)
+    page.line(indent + 2, fmt::format("absorb: {} of the light is left after {} inside", color_text(s.absorbed->left),
+                                      number_text(s.absorbed->length)));
 }
 
 void write_derivation(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
@@ -244,6 +247,7 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
   std::string formula = "reflect";
   if (m.fresnel) formula += "·R_F";
   if (m.metallic != 0) formula += "·M";
+  if (m.coat > 0) formula += fmt::format(" + {}·R_F({})", number_text(m.coat), number_text(m.coat_ior));
   page.line(indent,
             fmt::format("mirrored in {}: in and out at {} to the normal, weight ρ = {} = {}",
                         answer.namer.title(s.path), angle_text(mirror.cosine), formula, color_text(mirror.rho)));
@@ -275,6 +279,8 @@ std::string passage_text(const Answer& answer, const SurfaceNode& s, const Mediu
   case MediumTransition::Kind::leaving_outer:
     return fmt::format("leaves {} while still inside of what was entered later, ior stays {}", title,
                        number_text(p.ior_from));
+  case MediumTransition::Kind::through_sheet:
+    return fmt::format("passes {}, a thin sheet", title);
   }
   return "";
 }
@@ -299,8 +305,10 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
     return;
   }
   page.line(indent + 2,
-            p.tau == black
-                ? "nothing is refracted at weight 0"
+            p.tau == black ? "nothing is refracted at weight 0"
+            : s.material.thin
+                ? fmt::format("it bends nothing: the ray continues straight, at {}, without counting as deeper",
+                              angle_text(p.cosine))
                 : fmt::format("the ior is the same: the ray continues straight, at {}, without counting as deeper",
                               angle_text(p.cosine)));
 }

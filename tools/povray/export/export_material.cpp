@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rt::tools::povray {
 namespace {
 
@@ -55,7 +58,7 @@ public:
     }
     out_.open(head);
     std::visit([&](const auto& color) { pigment(color, constant(m.refract), current); }, m.color);
-    out_.line(finish(m));
+    out_.line(finish(with_implied(m)));
     out_.close();
   }
 
@@ -96,6 +99,7 @@ private:
 
   std::string finish(const Material& m) {
     const Color diffuse = constant(m.diffuse);
+    if (constant(m.coat) != 0) inexact_.push_back("POV-Ray has no coat: `coat` is left out");
     if (!is_grey(diffuse)) inexact_.push_back("POV-Ray's `diffuse` is a number: a colour cannot be written there");
     std::string text = fmt::format("finish {{ ambient {} diffuse {} emission {}", amount(constant(m.ambient)),
                                    number(diffuse.r), amount(constant(m.emission)));
@@ -121,11 +125,26 @@ private:
   std::vector<std::string>& inexact_;
 };
 
+// With a power from 1000 on POV-Ray's fading is e^(−(1 − fade_color)·t/fade_distance): ours with the distance after
+// which the darkest channel is down to 1/e.
+std::string absorbed(const Absorb& absorb) {
+  const auto depth = [](double left) { return -std::log(std::max(left, 1e-300)); };
+  const Color depths{depth(absorb.color.r), depth(absorb.color.g), depth(absorb.color.b)};
+  const double most = max_component(depths);
+  if (most <= 0) return "";
+  return fmt::format(" fade_power 1001 fade_distance {} fade_color {}", number(absorb.distance / most),
+                     rgb(white - depths * (1 / most)));
+}
+
 } // namespace
 
 void write_texture(Writer& out, const std::string& head, const Scene& scene, const Material& material,
                    std::vector<std::string>& inexact) {
   TextureWriter(out, scene, inexact).texture(head, material, {});
+  if (material.thin && material.fresnel)
+    inexact.push_back("POV-Ray bends what passes a `thin` sheet that mirrors by Fresnel's equations");
+  if (material.absorb && is_medium(material))
+    inexact.push_back("POV-Ray's shadows are absorbed too, and where solids overlap each absorbs");
 }
 
 bool needs_interior(const Material& material) {
@@ -133,7 +152,9 @@ bool needs_interior(const Material& material) {
 }
 
 std::string interior(const Material& material) {
-  return fmt::format("interior {{ ior {} }}", number(material.ior));
+  const bool is_straight = material.thin && !material.fresnel;
+  return fmt::format("interior {{ ior {}{} }}", number(is_straight ? 1 : material.ior),
+                     material.absorb && is_medium(material) ? absorbed(*material.absorb) : "");
 }
 
 } // namespace rt::tools::povray

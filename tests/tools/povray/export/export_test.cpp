@@ -95,6 +95,25 @@ TEST_CASE("export: shapes and their forms") {
   CHECK_THAT(exported_shape(quad), Contains("polygon { 5, <1, 1, 1>, <2, 1, 1>, <2, 3, 1>, <1, 3, 1>, <1, 1, 1> "));
 }
 
+TEST_CASE("export: what a medium absorbs is POV-Ray's fading, with a power that makes it exponential") {
+  WrittenScene b;
+  // e^(−(1 − fade_color)·t/fade_distance) is ½, ¼ and 1 after 4: the darkest channel is at 1/e after 4/ln 4 = 2.885….
+  b.place(scene::Sphere{1}, b.material({.refract = 1.0, .ior = 1.5, .absorb = scene::Absorb{{0.5, 0.25, 1}, 4}}));
+  CHECK_THAT(exported(b), Contains("interior { ior 1.5 fade_power 1001 fade_distance 2.88539") &&
+                              Contains("fade_color rgb <0.5, 0, 1>"));
+}
+
+TEST_CASE("export: metal and roughness are what they imply, a thin sheet bends nothing") {
+  WrittenScene b;
+  b.place(scene::Sphere{1}, b.material({.specular = 0.5, .roughness = 0.5, .metal = scene::Metal{grey(2), grey(1)}}));
+  // ((2 − 1)² + 1)/((2 + 1)² + 1); 1/(2/0.5⁴ − 2)
+  CHECK_THAT(
+      exported(b),
+      Contains("specular 0.5 roughness 0.03333333333333333 metallic 1 reflection { rgb <0.2, 0.2, 0.2> metallic 1 }"));
+  b.place(scene::Sphere{1}, b.material({.refract = 0.5, .ior = 1.5, .thin = true}));
+  CHECK_THAT(exported(b), Contains("interior { ior 1 }"));
+}
+
 TEST_CASE("export: every term of a material") {
   WrittenScene b;
   const auto m = b.material({.color = Color{0.1, 0.2, 0.3},

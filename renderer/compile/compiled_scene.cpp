@@ -144,8 +144,11 @@ void CompiledScene::transmittance(std::span<const ShadowRay> rays, std::span<Tra
 RayHit CompiledScene::nearest_casting(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   const RayHit nearest_hit = nearest(ray, range, scratch);
   if (!nearest_hit || casts_shadow(nearest_hit)) return nearest_hit;
-  for (const RayHit& hit : all_hits(ray, range))
-    if (casts_shadow(hit)) return hit;
+  for (RayHit hit : all_hits(ray, range)) {
+    if (!casts_shadow(hit)) continue;
+    hit.is_contested = true; // maybe
+    return hit;
+  }
   return {};
 }
 

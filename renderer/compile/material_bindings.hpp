@@ -28,6 +28,8 @@ public:
   Mark mark() const { return {bindings_.size(), places_.size()}; }
   void release(const Mark& mark);
 
+  const Materials& materials() const { return materials_; }
+
   static BindingId default_binding() { return BindingId{0}; }
 
   /// The binding of an object that is placed by `to_outer` in the space where the binding is looked up, and inherits

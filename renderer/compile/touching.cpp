@@ -75,9 +75,10 @@ double TouchingSurfaces::end() const {
 }
 
 void find_touching(const CompiledScene& scene, const Ray& ray, const Interval& range, const RayHit& nearest,
-                   TraceScratch& scratch, TouchingSurfaces& found) {
+                   TraceScratch& scratch, TouchingSurfaces& found, Touching which) {
   found.surfaces.clear();
   for (const RayHit& hit : scene.hits_near(ray, range, nearest, scratch)) {
+    if (which == Touching::casting && !scene.casts_shadow(hit)) continue;
     MetSurface& met = found.surfaces.emplace_back(MetSurface{hit, scene.surface(ray, hit)});
     MaterialValues values;
     met.error = met.surface.offset;

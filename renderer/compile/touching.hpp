@@ -36,9 +36,12 @@ struct TouchingSurfaces {
   double end() const;
 };
 
+/// Whether what casts no shadow counts.
+enum class Touching { all, casting };
+
 /// What the ray meets where `nearest`, its nearest hit in `range`, is contested. Stored in `found`.
 void find_touching(const CompiledScene& scene, const Ray& ray, const Interval& range, const RayHit& nearest,
-                   TraceScratch& scratch, TouchingSurfaces& found);
+                   TraceScratch& scratch, TouchingSurfaces& found, Touching which = Touching::all);
 
 /// The first surface that counts in `range`.
 std::optional<MetSurface> first_surface(const CompiledScene& scene, const Ray& ray, const Interval& range,

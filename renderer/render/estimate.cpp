@@ -52,18 +52,19 @@ Estimate refine(double precision, Draw&& draw) {
 } // namespace
 
 Estimate Estimator::radiance(const std::function<Ray(const SampleStream&)>& make_ray, double precision) const {
-  PathTracer tracer(scene_, lamps_, nullptr);
+  PathTracer tracer(scene_, nullptr);
   return refine(precision, [&](const SampleStream& stream) {
     const Ray ray = make_ray(stream);
     Color seen;
-    tracer.radiance({&ray, 1}, {&stream, 1}, scene_.around(ray.origin), {&seen, 1});
+    tracer.radiance({&ray, 1}, {&stream, 1}, scene_.scene.around(ray.origin), {&seen, 1});
     return seen;
   });
 }
 
 Estimate Estimator::irradiance(const Vec3& point, const Vec3& normal, double precision) const {
-  PathTracer tracer(scene_, lamps_, nullptr);
-  const std::vector<Medium> inside = scene_.around(point + normal * (rounding_bound(64) * (magnitude(point) + 1)));
+  PathTracer tracer(scene_, nullptr);
+  const std::vector<Medium> inside =
+      scene_.scene.around(point + normal * (rounding_bound(64) * (magnitude(point) + 1)));
   return refine(precision,
                 [&](const SampleStream& stream) { return tracer.irradiance(point, normal, stream, inside); });
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/compile/compiled_scene.hpp"
-#include "renderer/lighting/lamps.hpp"
+#include "renderer/integrators/path/path_scene.hpp"
 #include "renderer/sampling/sobol.hpp"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Estimate {
 class Estimator {
 public:
   /// The scene must outlive it.
-  explicit Estimator(const CompiledScene& scene) : scene_(scene), lamps_(scene) {}
+  explicit Estimator(const CompiledScene& scene) : scene_(scene) {}
 
   /// The light that comes in along rays (unit directions), each of which is made of a sample's numbers.
   Estimate radiance(const std::function<Ray(const SampleStream&)>& make_ray, double precision) const;
@@ -33,8 +33,7 @@ public:
   static constexpr std::uint32_t most_samples = 1 << 20;
 
 private:
-  const CompiledScene& scene_;
-  Lamps lamps_;
+  PathScene scene_;
 };
 
 } // namespace rt

@@ -33,6 +33,8 @@ public:
   explicit Frame(const Vec3& unit_z);
   /// From these axes' coordinates.
   Vec3 vector(const Vec3& v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
+  /// These axes' coordinates.
+  Vec3 local(const Vec3& v) const { return {dot(v, x_), dot(v, y_), dot(v, z_)}; }
 
 private:
   Vec3 x_, y_, z_;

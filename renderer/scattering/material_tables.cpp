@@ -43,6 +43,11 @@ private:
   std::map<Key, std::shared_ptr<const GlassTables>> glasses_;
 };
 
+// Whether its ior may be that of a medium.
+bool passes(const Materials& materials, std::uint32_t i) {
+  return materials.constant(i).refract > 0 || materials.varies(i, &MaterialValues::refract);
+}
+
 RoughnessAxis axis_of(double alpha, bool varies) {
   return varies ? RoughnessAxis::patterned(Ggx::least_alpha) : RoughnessAxis::constant(alpha);
 }
@@ -87,24 +92,21 @@ double coat_alpha(const MaterialValues& values) {
   return values.coat_roughness * values.coat_roughness;
 }
 
-ScatteringTables::ScatteringTables(const scene::Scene& scene) {
-  const Materials materials(scene);
+ScatteringTables::ScatteringTables(const Materials& materials) {
   TableMaker make;
   std::vector<double> iors{1};
-  for (const scene::Material& material : scene.materials)
-    if (is_medium(material)) iors.push_back(material.ior);
+  for (std::uint32_t i = 0; i < materials.size(); ++i)
+    if (passes(materials, i)) iors.push_back(materials.constant(i).ior);
   std::sort(iors.begin(), iors.end());
   iors.erase(std::unique(iors.begin(), iors.end()), iors.end());
-  const auto varies = [](const auto& paint) { return std::holds_alternative<scene::PatternId>(paint); };
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
-    const bool is_own = i != Materials::default_material();
-    const scene::Material m = is_own ? scene.materials[i - 1] : scene::Material{};
-    const Varying varying{.roughness = m.roughness && varies(*m.roughness),
-                          .shininess = varies(m.shininess.value()),
-                          .specular = varies(m.specular),
-                          .reflect = varies(m.reflect.value()),
-                          .refract = varies(m.refract),
-                          .coat = varies(m.coat)};
+    const auto varies = [&](auto property) { return materials.varies(i, property); };
+    const Varying varying{.roughness = varies(&MaterialValues::roughness),
+                          .shininess = varies(&MaterialValues::shininess),
+                          .specular = varies(&MaterialValues::specular),
+                          .reflect = varies(&MaterialValues::reflect),
+                          .refract = varies(&MaterialValues::refract),
+                          .coat = varies(&MaterialValues::coat)};
     tables_.push_back(make_tables(materials.constant(i), iors, varying, make));
   }
 }

@@ -46,7 +46,7 @@ struct MaterialTables {
 /// The tables of all materials of a scene. Materials of the same surface share them.
 class ScatteringTables {
 public:
-  explicit ScatteringTables(const scene::Scene& scene);
+  explicit ScatteringTables(const Materials& materials);
 
   /// By the material's index in `Materials`.
   const MaterialTables& of(std::uint32_t material) const { return tables_[material]; }

@@ -49,6 +49,16 @@ public:
 
   bool has_patterns(std::uint32_t material) const { return entries_[material].texture_count > 0; }
 
+  /// Whether a pattern gives it that property.
+  template <class T>
+  bool varies(std::uint32_t material, T MaterialValues::*property) const {
+    const MaterialEntry& entry = entries_[material];
+    for (std::uint32_t i = entry.first_texture; i < entry.first_texture + entry.texture_count; ++i)
+      if (const auto* found = std::get_if<T MaterialValues::*>(&textures_[i].property); found && *found == property)
+        return true;
+    return false;
+  }
+
   /// The values of a material without patterns; those of one with them are only right in what cannot be a pattern.
   const MaterialValues& constant(std::uint32_t material) const { return entries_[material].values; }
 

@@ -7,17 +7,16 @@ namespace {
 
 class PathIntegrator final : public Integrator {
 public:
-  explicit PathIntegrator(const CompiledScene& scene) : scene_(scene), lamps_(scene) {}
+  explicit PathIntegrator(const CompiledScene& scene) : scene_(scene) {}
 
   std::unique_ptr<Worker> make_worker(const std::atomic<bool>* stop) const override {
-    return std::make_unique<PathWorker>(scene_, lamps_, stop);
+    return std::make_unique<PathWorker>(scene_, stop);
   }
 
 private:
   class PathWorker final : public Worker {
   public:
-    PathWorker(const CompiledScene& scene, const Lamps& lamps, const std::atomic<bool>* stop)
-        : tracer_(scene, lamps, stop) {}
+    PathWorker(const PathScene& scene, const std::atomic<bool>* stop) : tracer_(scene, stop) {}
 
     void radiance(std::span<const Ray> rays, std::span<const SampleStream> streams, const std::vector<Medium>& inside,
                   std::span<Color> results) override {
@@ -29,8 +28,7 @@ private:
     PathTracer tracer_;
   };
 
-  const CompiledScene& scene_;
-  Lamps lamps_;
+  PathScene scene_;
 };
 
 } // namespace

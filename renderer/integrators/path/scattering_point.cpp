@@ -1,0 +1,22 @@
+#include "renderer/integrators/path/scattering_point.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+ScatteringPoint scattering_point(const PathScene& scene, const Walker& walker, const Walk& walk, const Surface& surface,
+                                 const MaterialValues& values) {
+  constexpr double least_cosine = 1e-9; // of a surface that is seen edge-on
+  const double approach = dot(surface.shading_normal, walk.ray.direction);
+  const Frame frame(approach > 0 ? -surface.shading_normal : surface.shading_normal);
+  Vec3 wo = frame.local(-walk.ray.direction);
+  wo.z = std::max(wo.z, least_cosine);
+  return {surface,
+          frame,
+          Bsdf(values, scene.tables.of(surface.material_id), walker.eta(walk, surface, values), wo),
+          values.refract > 0 && !values.thin,
+          &walker,
+          walk};
+}
+
+} // namespace rt

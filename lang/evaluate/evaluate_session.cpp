@@ -38,7 +38,7 @@ void Evaluator::begin_input(std::uint32_t slots, const char* stack_limit) {
 StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print) {
   StatementResult made;
   scene_properties_ = {&program_.types.scene(), nullptr, {}, {}, false};
-  writer_.forget_camera();
+  writer_.forget_camera_and_sky();
   Target target;
   target.kind = Target::Kind::scene;
   target.objects = &made.objects;
@@ -55,6 +55,7 @@ StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nod
     made.camera = scene_.camera;
     made.camera_place = *writer_.camera_place();
   }
+  made.sky_place = writer_.sky_place();
   return made;
 }
 

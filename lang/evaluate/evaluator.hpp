@@ -17,6 +17,7 @@ struct StatementResult {
   std::vector<scene::Light> lights;
   std::optional<scene::Camera> camera;
   Span camera_place;
+  std::optional<Span> sky_place;
   std::vector<PropertyValue> properties; ///< of the scene
   std::optional<Value> printed;          ///< of an expression that is no thing
   bool is_print = false;                 ///< that is `print(…)`, which has said all

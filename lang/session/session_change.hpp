@@ -106,7 +106,7 @@ private:
   std::optional<Mentioned> mentioned_by_fresh() const;
   bool evaluate();
   void take_out_printed();
-  void settle_cameras();
+  void settle_only(Trait which);
   void check_scene_properties();
   Document assemble();
 

@@ -42,7 +42,8 @@ std::uint8_t traits_of(const Statement& statement) {
   return static_cast<std::uint8_t>(
       trait(statement.declares(), trait_declares) | trait(statement.kind == Kind::property, trait_sets_property) |
       trait(!made.objects.empty(), trait_objects) | trait(!made.lights.empty(), trait_lights) |
-      trait(made.camera.has_value(), trait_camera) | trait(!made.properties.empty(), trait_properties));
+      trait(made.camera.has_value(), trait_camera) | trait(!made.properties.empty(), trait_properties) |
+      trait(made.sky_place.has_value(), trait_sky));
 }
 
 std::size_t Document::size() const {

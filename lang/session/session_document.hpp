@@ -18,6 +18,7 @@ enum Trait : std::uint8_t {
   trait_lights = 8,
   trait_camera = 16,
   trait_properties = 32,
+  trait_sky = 64,
 };
 std::uint8_t traits_of(const Statement& statement);
 

@@ -18,7 +18,8 @@ std::optional<Document> SessionChange::finish() {
   if (core_.report.has_errors() || !check() || !evaluate()) return std::nullopt;
   take_out_printed();
   report_outcomes();
-  settle_cameras();
+  settle_only(trait_camera);
+  settle_only(trait_sky);
   report_dependents();
   check_scene_properties();
   if (core_.report.has_errors()) return std::nullopt;
@@ -164,23 +165,26 @@ void SessionChange::take_out_printed() {
   });
 }
 
-// A scene has one camera: another one takes the place of one that stands on a line of its own.
-void SessionChange::settle_cameras() {
+// A scene has one camera and one sky: another one takes the place of one that stands on a line of its own.
+void SessionChange::settle_only(Trait which) {
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < entries_.size(); ++i)
-    if ((entries_[i].traits() & trait_camera) != 0 && (!last || entries_[i].fresh)) last = i;
+    if ((entries_[i].traits() & which) != 0 && (!last || entries_[i].fresh)) last = i;
   if (!last) return;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < entries_.size(); ++i)
-    if (i != *last && (entries_[i].traits() & trait_camera) != 0) others.push_back(i);
+    if (i != *last && (entries_[i].traits() & which) != 0) others.push_back(i);
+  const StatementResult& kept = entries_[*last].get().made;
   for (auto i = others.rbegin(); i != others.rend(); ++i) {
     const Statement& other = entries_[*i].get();
-    const bool is_alone = other.may_print || other.made.objects.empty();
-    if (entries_[*i].fresh || !is_alone || other.declares() || !other.names.empty()) {
-      core_.report.add(errors::second_camera(entries_[*last].get().made.camera_place, other.made.camera_place));
+    const StatementResult& made = other.made;
+    const bool has_more = !made.objects.empty() || made.lights.size() > (which == trait_sky ? 1 : 0);
+    if (entries_[*i].fresh || (has_more && !other.may_print) || other.declares() || !other.names.empty()) {
+      core_.report.add(which == trait_camera ? errors::second_camera(kept.camera_place, made.camera_place)
+                                             : errors::second_sky(*kept.sky_place, *made.sky_place));
       return;
     }
-    changes.push_back("the camera replaced: " + shortened(other.text));
+    changes.push_back((which == trait_camera ? "the camera replaced: " : "the sky replaced: ") + shortened(other.text));
     entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(*i));
   }
 }

@@ -86,14 +86,8 @@ void CompiledScene::add_lights(const scene::Scene& scene) {
   lights_.reserve(scene.lights.size());
   for (const scene::Light& light : scene.lights) {
     lights_.push_back(make_light(light));
-    if (const SkyEmitter* sky = std::get_if<SkyEmitter>(&lights_.back().emitter)) skies_.push_back(*sky);
+    if (const SkyEmitter* sky = std::get_if<SkyEmitter>(&lights_.back().emitter)) sky_ = *sky;
   }
-}
-
-Color CompiledScene::sky_light(const Vec3& direction) const {
-  Color sum = black;
-  for (const SkyEmitter& sky : skies_) sum += radiance(sky, direction);
-  return sum;
 }
 
 Slack CompiledScene::slack(const Ray& ray) const {

@@ -106,12 +106,8 @@ public:
   const Aggregate& objects() const { return *root_; }
   const MaterialBindings& bindings() const { return *bindings_; }
   const std::vector<Light>& lights() const { return lights_; }
-  /// What comes in from a direction (unit) where nothing is: the skies' light, all together, or the background.
-  Color environment(const Vec3& direction) const {
-    if (skies_.empty()) [[likely]]
-      return background_;
-    return sky_light(direction);
-  }
+  /// What comes in from a direction (unit) where nothing is: the sky's light, or the background.
+  Color environment(const Vec3& direction) const { return sky_ ? rt::radiance(*sky_, direction) : background_; }
   Color ambient() const { return ambient_; }
   int max_depth() const { return max_depth_; }
 
@@ -119,14 +115,13 @@ private:
   void add_lights(const scene::Scene& scene);
   Slack slack(const Ray& ray) const;
   void inspect(const Ray& ray, const Interval& range, TraceScratch& scratch, std::vector<RayHit>& hits) const;
-  Color sky_light(const Vec3& direction) const;
 
   std::shared_ptr<const bvh::Device> device_;
   std::shared_ptr<const MaterialBindings> bindings_;
   std::shared_ptr<const CompiledObjects> objects_;
   const Aggregate* root_; // of the objects
   std::vector<Light> lights_;
-  std::vector<SkyEmitter> skies_;
+  std::optional<SkyEmitter> sky_;
   Color background_, ambient_;
   int max_depth_;
   bool absorbs_ = false;

@@ -53,6 +53,11 @@ std::span<const Code> things() {
        "kept "
        "for later. One line is a whole scene: `sphere {}`.",
        "", ""},
+      {"E0412", "There is a second sky",
+       "What is seen where nothing is has one colour in each direction. Keep the other skies under names, "
+       "`dusk = sky { … }`, and place one.",
+       "sphere {}\nsky { zenith: skyblue }\nsky { horizon: orange }",
+       "sphere {}\nday = sky { zenith: skyblue }\ndusk = sky { horizon: orange }\ndusk"},
   };
   return table;
 }

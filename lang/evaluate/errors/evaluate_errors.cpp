@@ -81,6 +81,11 @@ Diagnostic second_camera(Span place, Span first) {
                     {{first, "the first one is here"}});
 }
 
+Diagnostic second_sky(Span place, Span first) {
+  return make_error("E0412", place, "there is a sky already, and a scene has one", {},
+                    {{first, "the first one is here"}});
+}
+
 Diagnostic takes_no_things(Span place, std::string message, std::string label, std::string advice) {
   return make("E0405", place, std::move(message), std::move(label), std::move(advice));
 }

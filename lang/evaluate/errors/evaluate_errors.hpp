@@ -20,6 +20,7 @@ Diagnostic open_in_combination(Span place, std::string message, std::string labe
 Diagnostic light_in_combination(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic camera_in_thing(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic second_camera(Span place, Span first);
+Diagnostic second_sky(Span place, Span first);
 Diagnostic takes_no_things(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic properties_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic media_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});

@@ -262,6 +262,7 @@ void SceneWriter::put_lights_of(const Content& inside, const ObjectAttributes& a
                          (described.chain && !described.chain->steps.empty());
   limits_.count_objects(inside.lights.size(), described.place);
   for (const scene::Light& light : inside.lights) {
+    note_sky(light, described.place, target);
     scene::Light& copy = target.lights->emplace_back(light);
     if (!is_placed) continue;
     copy.enclosing.push_back({attributes.scale, attributes.rotate, attributes.at,
@@ -290,6 +291,16 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
   light.name = attributes.name;
   if (light.name == scene::no_name && described.thing) light.name = default_name(described.thing->default_name);
   light.origin = description_.origin(described.place);
+  note_sky(light, described.place, target);
+}
+
+// Wherever it is written, a scene has one.
+void SceneWriter::note_sky(const scene::Light& light, Span place, const Target& target) {
+  if (target.kind != Target::Kind::scene || scene::is_lamp(light) || errors_.is_unsure()) return;
+  if (sky_place_)
+    fail(errors::second_sky(place, *sky_place_));
+  else
+    sky_place_ = place;
 }
 
 void SceneWriter::put_camera(const ThingView& described, Target& target) {

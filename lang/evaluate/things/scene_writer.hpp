@@ -27,7 +27,12 @@ public:
   scene::FieldValue scene_value(const PropertyValue& property);
   /// Where a camera was written; nothing before that.
   const std::optional<Span>& camera_place() const { return camera_place_; }
-  void forget_camera() { camera_place_.reset(); }
+  /// The same for the sky.
+  const std::optional<Span>& sky_place() const { return sky_place_; }
+  void forget_camera_and_sky() {
+    camera_place_.reset();
+    sky_place_.reset();
+  }
 
 private:
   void put_shape(const ThingView& described, Target& target);
@@ -36,6 +41,7 @@ private:
   bool is_something(const ThingView& described);
   void put_light(const ThingView& described, Target& target);
   void put_camera(const ThingView& described, Target& target);
+  void note_sky(const scene::Light& light, Span place, const Target& target);
   void put_lights_of(const Content& inside, const ObjectAttributes& attributes, const ThingView& described,
                      Target& target);
   std::optional<scene::ShapeRef> shape(const ThingView& described);
@@ -50,7 +56,7 @@ private:
   scene::Builder& builder_;
   scene::Scene& scene_;
   DescriptionWriter description_;
-  std::optional<Span> camera_place_;
+  std::optional<Span> camera_place_, sky_place_;
   std::vector<Span> combination_places_;     // by index of the combination
   std::vector<scene::NameId> default_names_; // by symbol: once they were needed
 };

@@ -13,8 +13,8 @@ struct MaterialValues;
 /// A ray on its way from surface to surface.
 struct Walk {
   Ray ray;
-  MediumStacks::List inside{};   ///< the solids that it is inside of
-  Contacts::Position contact{};  ///< where it is among surfaces that touch
+  MediumStacks::List inside{};     ///< the solids that it is inside of
+  Contacts::Position contact{};    ///< where it is among surfaces that touch
   bool meets_casting_only = false; ///< not what casts no shadow
 };
 

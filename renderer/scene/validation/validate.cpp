@@ -119,7 +119,12 @@ bool Validation::check_thing(const T& thing, const PathOf& path_of) {
 void Validation::check_settings() {
   check_thing(scene_, [] { return std::string(); });
   check_thing(scene_.camera, [] { return std::string("camera"); });
-  for (std::size_t i = 0; i < scene_.lights.size(); ++i) check_light(scene_.lights[i], i);
+  std::size_t skies = 0;
+  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+    check_light(scene_.lights[i], i);
+    if (!is_lamp(scene_.lights[i]) && ++skies == 2)
+      add(Kind::thing, at("lights", i), "there is a sky already, and a scene has one");
+  }
 }
 
 void Validation::check_light(const Light& light, std::size_t index) {

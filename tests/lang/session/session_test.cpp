@@ -125,7 +125,7 @@ TEST_CASE("session: a line that begins with a dot changes the last thing, placed
   CHECK(talk.session.text() == "sphere {}.move(x: 2)\nball = sphere { radius: 3 }.move(y: 1)\nball\n");
 }
 
-TEST_CASE("session: properties of the scene and the camera are replaced when they are written again") {
+TEST_CASE("session: properties of the scene, the camera and the sky are replaced when they are written again") {
   SessionDriver talk;
   talk.say("background: red");
   talk.say("background: blue");
@@ -135,6 +135,12 @@ TEST_CASE("session: properties of the scene and the camera are replaced when the
   talk.say("camera { at: [4, 5, 6] }");
   CHECK(talk.session.scene().camera.at == rt::Vec3{4, 5, 6});
   CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\n");
+  talk.say("sky { zenith: red }");
+  talk.say("sky { zenith: blue }");
+  CHECK(talk.session.scene().lights.size() == 1);
+  CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\nsky { zenith: blue }\n");
+  talk.say("group { sky {}\n light { at: [0, 3, 0] } }.move(x: 1)");
+  talk.refuse("sky { zenith: red }");
 }
 
 TEST_CASE("session: errors change nothing, also those in what depends on the input") {

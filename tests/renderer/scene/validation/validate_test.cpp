@@ -110,6 +110,8 @@ TEST_CASE("validate: what a thing is made of goes together") {
   CHECK(broken(Kind::thing, [](Scene& s) { s.samples = 3; }) == Paths{"samples"});
   CHECK(broken(Kind::thing, [](Scene& s) { s.camera.look_at = s.camera.at; }) == Paths{"camera.look_at"});
   CHECK(broken(Kind::thing, [](Scene& s) { s.camera.up = s.camera.at - s.camera.look_at; }) == Paths{"camera.up"});
+  CHECK(broken(Kind::thing, [](Scene& s) { s.lights[0].source = s.lights[2].source = SkyLight{}; }) ==
+        Paths{"lights[2]"});
   CHECK(broken(Kind::thing, [](Scene& s) {
           std::get<SpotLight>(s.lights[2].source).look_at = {0, 3, 0};
         }) == Paths{"lights[2].look_at"});

@@ -156,11 +156,10 @@ std::optional<Diagnostic> check_points(const Property& property, const Value& va
 }
 
 std::optional<Diagnostic> check_choice(const Property& property, const Value& value) {
-  if (!value.is(ValueKind::choice)) return wrong_type(property, value);
-  for (const std::string_view word : property.choices) {
-    if (word == value.choice()) return std::nullopt;
-  }
+  const std::optional<std::string_view> written = as_choice(value);
+  if (written && std::ranges::find(property.choices, *written) != property.choices.end()) return std::nullopt;
   Diagnostic mistake = wrong_type(property, value);
+  if (!value.is(ValueKind::choice)) return mistake;
   mistake.message =
       mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
   mistake.label.clear();
@@ -338,6 +337,12 @@ std::optional<scene::FieldValue> as_parts(const Property& property, const Value&
                                : std::nullopt;
   const std::optional<Color> k = as_color(*second);
   return k ? std::optional(scene::FieldValue(scene::Metal{*color, *k})) : std::nullopt;
+}
+
+std::optional<std::string_view> as_choice(const Value& value) {
+  if (value.is(ValueKind::choice)) return value.choice();
+  const bool is_bare_noun = value.is(ValueKind::thing) && value.thing().properties.empty() && !value.thing().chain;
+  return is_bare_noun ? std::optional(value.thing().type->name) : std::nullopt;
 }
 
 std::optional<Color> as_color(const Value& value) {

@@ -21,6 +21,9 @@ std::optional<Value> default_value(const NodeType& type, const Property& propert
 /// The metal or the absorption that the value describes as a record, or has as a material; else nothing.
 std::optional<scene::FieldValue> as_parts(const Property& property, const Value& value);
 
+/// The word that stands for one of several choices, be it the noun of a thing as well (`filter: box`); else nothing.
+std::optional<std::string_view> as_choice(const Value& value);
+
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);
 

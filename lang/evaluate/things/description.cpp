@@ -16,7 +16,7 @@ std::vector<Vec3> points(const Value& value) {
 }
 
 scene::Choice choice(const Property& property, const Value& value) {
-  const auto found = std::ranges::find(property.choices, value.choice());
+  const auto found = std::ranges::find(property.choices, as_choice(value).value());
   return {static_cast<int>(found - property.choices.begin())};
 }
 

@@ -178,8 +178,9 @@ void SessionChange::settle_only(Trait which) {
   for (auto i = others.rbegin(); i != others.rend(); ++i) {
     const Statement& other = entries_[*i].get();
     const StatementResult& made = other.made;
-    const bool has_more = !made.objects.empty() || made.lights.size() > (which == trait_sky ? 1 : 0);
-    if (entries_[*i].fresh || (has_more && !other.may_print) || other.declares() || !other.names.empty()) {
+    const bool has_more = which == trait_camera ? !other.may_print && !made.objects.empty()
+                                                : !made.objects.empty() || made.lights.size() > 1;
+    if (entries_[*i].fresh || has_more || other.declares() || !other.names.empty()) {
       core_.report.add(which == trait_camera ? errors::second_camera(kept.camera_place, made.camera_place)
                                              : errors::second_sky(*kept.sky_place, *made.sky_place));
       return;

@@ -135,10 +135,12 @@ TEST_CASE("session: properties of the scene, the camera and the sky are replaced
   talk.say("camera { at: [4, 5, 6] }");
   CHECK(talk.session.scene().camera.at == rt::Vec3{4, 5, 6});
   CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\n");
+  talk.say("sun {}");
   talk.say("sky { zenith: red }");
   talk.say("sky { zenith: blue }");
-  CHECK(talk.session.scene().lights.size() == 1);
-  CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\nsky { zenith: blue }\n");
+  CHECK(talk.session.scene().lights.size() == 2);
+  CHECK(talk.session.text() == "background: blue\nsphere {}\ncamera { at: [4, 5, 6] }\nsun {}\n"
+                               "sky { zenith: blue }\n");
   talk.say("group { sky {}\n light { at: [0, 3, 0] } }.move(x: 1)");
   talk.refuse("sky { zenith: red }");
 }

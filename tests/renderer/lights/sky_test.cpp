@@ -30,14 +30,11 @@ TEST_CASE("sky: rays that meet nothing see it, in both modes") {
   }
 }
 
-TEST_CASE("sky: it turns with its chain, and skies add up") {
+TEST_CASE("sky: it turns with its chain") {
   SceneBuilder k;
   k.add(gradient()).chain.push_back(scene::RotateStep{{0, 0, -90}, {}}); // up becomes +x
-  scene::SkyLight even;
-  even.zenith = even.horizon = grey(0.5), even.ground = black, even.intensity = 2;
-  k.add(even);
   const RayQuery query(k.scene, 1);
-  CHECK(query.radiance({{}, {1, 0, 0}}).r == Approx(1.2));
+  CHECK(query.radiance({{}, {1, 0, 0}}).r == Approx(0.2));
   CHECK(query.radiance({{}, {0, -1, 0}}).r == Approx(1));
 }
 

@@ -175,6 +175,7 @@ TEST_CASE("path: of many lamps without size one is asked") {
   check_estimate(estimate(query.scene(), ray, 1 << 12), query.radiance(ray).g, 0.01);
 }
 
+// A mirror's ground gets what it leaves: 0.6 + 0.4·0.9 is no more than there is. What is above 1 is divided.
 TEST_CASE("path: materials that would make light make none") {
   SceneBuilder k;
   k.scene.background = white;
@@ -184,8 +185,12 @@ TEST_CASE("path: materials that would make light make none") {
   scene::Material bright = lambert(1);
   bright.color = grey(3);
   k.add(k.sphere().with(k.material(shiny)));
+  scene::Material both;
+  both.diffuse = grey(0), both.reflect = grey(0.8), both.refract = 0.6;
   k.add(k.sphere().at({5, 0, 0}).with(k.material(bright)));
+  k.add(k.shape(scene::Disc{}).at({10, 0, 0}).with(k.material(both)));
   const CompiledScene scene(k.scene, 1);
-  check_estimate(estimate(scene, {{0.3, 0, 3}, {0, 0, -1}}, 256), 1, 1e-9);
+  check_estimate(estimate(scene, {{0.3, 0, 3}, {0, 0, -1}}, 256), 0.96, 1e-9);
   check_estimate(estimate(scene, {{5.3, 0, 3}, {0, 0, -1}}, 256), 1, 1e-9);
+  check_estimate(estimate(scene, {{10.3, 3, 0}, {0, -1, 0}}, 256), 1, 1e-9);
 }

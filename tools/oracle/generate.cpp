@@ -77,6 +77,11 @@ void make_physical(Dice dice, Block& m) {
   Dice own(dice.bits());
   if (own.chance(0.06)) m.set("metal", metals[own.below(3)]);
   if (own.chance(0.1)) set_value(own, m, "roughness", [](Dice& d) { return text(d.between(0.2, 1)); });
+  // A coat that is none: POV-Ray has no other.
+  if (own.chance(0.1)) {
+    m.set("coat", checker(own, 0, [](Dice&) { return "0"; }));
+    m.set("coat_roughness", text(own.unit())).set("coat_ior", text(own.between(1.1, 2)));
+  }
 }
 
 Block opaque(Dice& dice) {
@@ -117,6 +122,11 @@ Block floor(Dice& dice) {
   Block m = opaque(dice);
   // Cells far away hang on the last digits of a ray that was mirrored before.
   std::erase_if(m.props, [](const Prop& p) { return !p.block.empty(); });
+  // What is opaque has no inside, be it thin or not.
+  Dice own(Dice(dice).bits());
+  if (own.chance(0.2)) m.set("thin", "true");
+  if (own.chance(0.2))
+    m.set("absorb", fmt::format("{{ color: {}, distance: {} }}", color(own), text(own.between(1, 9))));
   return b.set("material", std::move(m));
 }
 

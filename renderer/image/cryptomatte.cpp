@@ -4,13 +4,23 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cstring>
+#include <stdexcept>
 
 namespace rt::image {
 namespace {
 
 std::uint32_t scrambled(std::uint32_t word) {
   return std::rotl(word * 0xcc9e2d51u, 15) * 0x1b873593u;
+}
+
+std::uint32_t hexadecimal(std::string_view digits) {
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    throw std::runtime_error("the names of its Cryptomatte make no sense");
+  return number;
 }
 
 std::string json_string(std::string_view text) {
@@ -25,6 +35,28 @@ std::string json_string(std::string_view text) {
   }
   return out + '"';
 }
+
+/// Reads what `json_string` wrote, and moves behind it.
+std::string read_json_string(std::string_view& text) {
+  std::string out;
+  for (text.remove_prefix(1); !text.empty() && text[0] != '"'; text.remove_prefix(1)) {
+    if (text[0] != '\\' || text.size() < 2) {
+      out += text[0];
+      continue;
+    }
+    text.remove_prefix(1);
+    if (text[0] != 'u' || text.size() < 5) {
+      out += text[0];
+      continue;
+    }
+    out += static_cast<char>(hexadecimal(text.substr(1, 4)));
+    text.remove_prefix(4);
+  }
+  text.remove_prefix(std::min<std::size_t>(1, text.size()));
+  return out;
+}
+
+constexpr std::string_view key_start = "cryptomatte/", manifest_end = "/manifest";
 
 } // namespace
 
@@ -61,6 +93,24 @@ std::vector<std::pair<std::string, std::string>> matte_metadata(std::string_view
           {prefix + "hash", "MurmurHash3_32"},
           {prefix + "conversion", "uint32_to_float32"},
           {prefix + "manifest", manifest}};
+}
+
+bool is_matte_key(std::string_view key) {
+  return key.starts_with(key_start);
+}
+
+std::map<std::uint32_t, std::string> matte_names(const std::map<std::string, std::string>& metadata) {
+  std::map<std::uint32_t, std::string> names;
+  for (const auto& [key, manifest] : metadata) {
+    if (!is_matte_key(key) || !key.ends_with(manifest_end)) continue;
+    for (std::string_view rest = manifest; rest.size() > 2;) { // {"name":"id","name":"id"}
+      rest.remove_prefix(1);
+      std::string name = read_json_string(rest);
+      rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
+      names[hexadecimal(read_json_string(rest))] = std::move(name);
+    }
+  }
+  return names;
 }
 
 } // namespace rt::image

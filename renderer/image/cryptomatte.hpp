@@ -21,4 +21,9 @@ std::uint32_t matte_id(std::string_view name);
 std::vector<std::pair<std::string, std::string>> matte_metadata(std::string_view layer,
                                                                 const std::map<std::string, std::uint32_t>& ids);
 
+/// Whether the key is one of metadata.
+bool is_matte_key(std::string_view key);
+/// The names in the metadata's manifest, by their matte ids. Throws std::runtime_error for one that is none.
+std::map<std::uint32_t, std::string> matte_names(const std::map<std::string, std::string>& metadata);
+
 } // namespace rt::image

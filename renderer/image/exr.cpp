@@ -1,5 +1,6 @@
 #include "renderer/image/cryptomatte.hpp"
 #include "renderer/image/formats.hpp"
+#include "renderer/image/sums_layer.hpp"
 
 #include <ImfArray.h>
 #include <ImfChannelList.h>
@@ -15,6 +16,7 @@
 #include <bit>
 #include <cstring>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -105,8 +107,8 @@ std::vector<Matte> mattes(const Film& film, const EncodeOptions& options, std::m
 }
 
 /// Adds a slice for each channel to a frame buffer over `pixels`, whose first one stands at `origin` in the file.
-template <std::size_t N, class Pixel>
-void add_slices(Imf::FrameBuffer& frame, const Channel (&channels)[N], std::vector<Pixel>& pixels, int width,
+template <class Pixel>
+void add_slices(Imf::FrameBuffer& frame, std::span<const Channel> channels, std::vector<Pixel>& pixels, int width,
                 Imath::V2i origin) {
   for (const Channel& channel : channels) {
     char* member = reinterpret_cast<char*>(pixels.data()) + channel.offset;
@@ -115,10 +117,32 @@ void add_slices(Imf::FrameBuffer& frame, const Channel (&channels)[N], std::vect
   }
 }
 
-template <std::size_t N>
-bool has_all(const Imf::ChannelList& list, const Channel (&channels)[N]) {
-  return std::all_of(std::begin(channels), std::end(channels),
+bool has_all(const Imf::ChannelList& list, std::span<const Channel> channels) {
+  return std::all_of(channels.begin(), channels.end(),
                      [&](const Channel& channel) { return list.findChannel(channel.name) != nullptr; });
+}
+
+std::vector<Channel> sums_layer() {
+  std::vector<Channel> channels;
+  for (const std::string& name : sums_channels())
+    channels.push_back({name.c_str(), Imf::UINT, channels.size() * sizeof(std::uint32_t)});
+  return channels;
+}
+
+void read_text(const Imf::Header& header, Image& image) {
+  for (auto attribute = header.begin(); attribute != header.end(); ++attribute)
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
+      image.text[attribute.name()] = text->value();
+}
+
+/// Names the image's objects by the mattes of its pixels.
+void name_objects(Image& image, const std::vector<Matte>& mattes) {
+  const std::map<std::uint32_t, std::string> names = matte_names(image.text);
+  for (std::size_t i = 0; i < mattes.size(); ++i) {
+    const auto name = names.find(std::bit_cast<std::uint32_t>(mattes[i].id));
+    if (image.object_id[i] != 0 && name != names.end())
+      image.object_names.try_emplace(image.object_id[i], name->second);
+  }
 }
 
 /// Calls f(channels, pixels) for colour and for every layer of the film; `depth` stands for the film's own, which is
@@ -166,6 +190,8 @@ std::string encode_exr(const Film& film, const EncodeOptions& options) {
     add(error_channels, pixels.error);
     add(samples_channels, pixels.samples);
   }
+  std::vector<SumsWords> sums = sums_words(film);
+  if (!sums.empty()) add(sums_layer(), sums);
 
   std::string bytes;
   StringOutput output(bytes);
@@ -211,9 +237,23 @@ Image decode_exr(std::string_view bytes, const std::string& name) try {
     add_slices(frame, error_channels, image.error, image.width, window.min);
     add_slices(frame, samples_channels, image.samples, image.width, window.min);
   }
+  std::vector<Matte> mattes;
+  if (has_layers && has_all(list, matte_channels)) {
+    mattes.resize(image.color.size());
+    add_slices(frame, matte_channels, mattes, image.width, window.min);
+  }
+  std::vector<SumsWords> sums;
+  if (has_all(list, sums_layer())) {
+    sums.resize(image.color.size());
+    add_slices(frame, sums_layer(), sums, image.width, window.min);
+  }
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
   image.depth.assign(depth.begin(), depth.end());
+  set_sums(image, sums);
+  read_text(file.header(), image);
+  name_objects(image, mattes);
+  std::erase_if(image.text, [](const auto& entry) { return is_matte_key(entry.first); });
   const Imath::Box2i picture = file.header().displayWindow();
   image.left = window.min.x - picture.min.x;
   image.top = window.min.y - picture.min.y;

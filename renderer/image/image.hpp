@@ -3,6 +3,7 @@
 #include "renderer/render/film.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ enum class Transfer { srgb, linear };
 /// A picture that was read: linear colour whatever the file's encoding, and the layers of an exr that `encode` wrote.
 struct Image : Film {
   int bits = 8; ///< of a sample in the file: 8, 16 or 32
+  /// Of an exr: the attributes that are text, sorted by their keywords, but those of the Cryptomatte; and what that
+  /// calls the film's objects, by id.
+  std::map<std::string, std::string> text = {};
+  std::map<std::uint32_t, std::string> object_names = {};
 };
 
 /// Reads png, exr, ppm, pgm and pfm, told apart by their first bytes; transparency is ignored. png files are taken at

@@ -3,6 +3,7 @@
 #include "renderer/math/color.hpp"
 #include "renderer/math/tone_mapping.hpp"
 #include "renderer/math/vec3.hpp"
+#include "renderer/render/sums.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,8 +38,10 @@ struct Film {
   std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
   std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
 
-  std::vector<Rgb32> error;           ///< in path mode: the standard error of the colour, estimated for each pixel
-  std::vector<std::uint32_t> samples; ///< and how many there were
+  std::vector<Rgb32> error;                ///< in path mode: the standard error of the colour, estimated for each pixel
+  std::vector<std::uint32_t> samples;      ///< and how many there were
+  std::vector<PixelSums> sums;             ///< what further samples can be added to, where that was asked for
+  std::vector<std::uint32_t> noise_states; ///< and what `NoiseBlocks` must know to go on
 
   ToneMapping tone_mapping; ///< how it is to be shown; all colours here are linear light
 

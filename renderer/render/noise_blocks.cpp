@@ -49,13 +49,32 @@ void NoiseBlocks::update(std::span<const PixelSums> sums) {
     for (int column = first_column_; column < first_column_ + columns_; ++column) {
       const std::size_t i = index(column, row);
       if (!rests_[i]) noise_[i] = noise(column, row, sums, means);
-      calm_[i] = noise_[i] <= aim_ ? calm_[i] + 1 : 0;
+      calm_[i] = rests_[i] || noise_[i] <= aim_ ? calm_[i] + 1 : 0;
     }
   }
-  if (aim_ > 0)
-    for (int row = first_row_; row < first_row_ + rows_; ++row)
-      for (int column = first_column_; column < first_column_ + columns_; ++column)
-        if (is_surrounded_by_calm(column, row)) rests_[index(column, row)] = true;
+  if (aim_ > 0) settle();
+}
+
+std::uint32_t NoiseBlocks::state(int x, int y) const {
+  const std::size_t i = index(x / side, y / side);
+  return 2 * static_cast<std::uint32_t>(calm_[i]) + (rests_[i] ? 1 : 0);
+}
+
+void NoiseBlocks::restore(std::span<const std::uint32_t> states, std::span<const PixelSums> sums) {
+  update(sums);
+  for (int y = rect_.y0; y < rect_.y1; ++y) {
+    for (int x = rect_.x0; x < rect_.x1; ++x) {
+      const std::uint32_t state = states[pixel(x, y)];
+      calm_[index(x / side, y / side)] = static_cast<int>(state / 2);
+      rests_[index(x / side, y / side)] = state % 2 == 1;
+    }
+  }
+}
+
+void NoiseBlocks::settle() {
+  for (int row = first_row_; row < first_row_ + rows_; ++row)
+    for (int column = first_column_; column < first_column_ + columns_; ++column)
+      if (is_surrounded_by_calm(column, row)) rests_[index(column, row)] = true;
 }
 
 bool NoiseBlocks::is_surrounded_by_calm(int column, int row) const {
@@ -69,9 +88,7 @@ Color NoiseBlocks::light_around(int x, int y, std::span<const Color> means) cons
   Color sum = black;
   int count = 0;
   for (int v = std::max(y - 1, rect_.y0); v <= std::min(y + 1, rect_.y1 - 1); ++v) {
-    for (int u = std::max(x - 1, rect_.x0); u <= std::min(x + 1, rect_.x1 - 1); ++u, ++count)
-      sum += means[static_cast<std::size_t>(v - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
-                   static_cast<std::size_t>(u - rect_.x0)];
+    for (int u = std::max(x - 1, rect_.x0); u <= std::min(x + 1, rect_.x1 - 1); ++u, ++count) sum += means[pixel(u, v)];
   }
   return sum * (1.0 / count);
 }
@@ -82,9 +99,7 @@ double NoiseBlocks::noise(int column, int row, std::span<const PixelSums> sums, 
   for (int y = std::max(row * side, rect_.y0); y < std::min((row + 1) * side, rect_.y1); ++y) {
     for (int x = std::max(column * side, rect_.x0); x < std::min((column + 1) * side, rect_.x1); ++x, ++count) {
       const Color light = light_around(x, y, means);
-      const Color error = sums[static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
-                               static_cast<std::size_t>(x - rect_.x0)]
-                              .error();
+      const Color error = sums[pixel(x, y)].error();
       sum += squared(display_slope(light.r) * error.r) + squared(display_slope(light.g) * error.g) +
              squared(display_slope(light.b) * error.b);
     }

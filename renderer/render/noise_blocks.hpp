@@ -24,6 +24,11 @@ public:
   /// After a pass over all blocks that do not rest: `sums` are the pixels'.
   void update(std::span<const PixelSums> sums);
 
+  /// What a picture has to remember of a pixel's block if it is to be continued as if it had never been left; and the
+  /// way back, from all pixels of the part.
+  std::uint32_t state(int x, int y) const;
+  void restore(std::span<const std::uint32_t> states, std::span<const PixelSums> sums);
+
   bool rests(int x, int y) const { return rests_[index(x / side, y / side)]; }
   bool all_rest() const;
   /// Of the noisiest block; infinite before there are two samples for each pixel.
@@ -36,6 +41,11 @@ private:
     return static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column - first_column_);
   }
+  std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
+           static_cast<std::size_t>(x - rect_.x0);
+  }
+  void settle();
   double noise(int column, int row, std::span<const PixelSums> sums, std::span<const Color> means) const;
   Color light_around(int x, int y, std::span<const Color> means) const;
   bool is_surrounded_by_calm(int column, int row) const;

@@ -90,6 +90,12 @@ void PictureJob::trace_layers(int x, int y, TraceScratch& scratch) const {
   film_.albedo[i] = rt::to_single(scene_.values(surface, values).color);
 }
 
+std::uint32_t PictureJob::object_at(int x, int y) const {
+  TraceScratch scratch;
+  const std::optional<MetSurface> first = first_surface(scene_, camera_.ray(x + 0.5, y + 0.5), {}, scratch);
+  return first ? static_cast<std::uint32_t>(first->surface.order + 1) : 0;
+}
+
 void PictureJob::show(const PixelRect& tile) {
   if (!options_.on_tile) return;
   const std::lock_guard lock(show_mutex_);

@@ -42,6 +42,8 @@ public:
              std::span<Color> values) const;
   /// Fills the film's layers at a pixel, if they are wanted.
   void trace_layers(int x, int y, TraceScratch& scratch) const;
+  /// The id of the object that a pixel's centre shows, from 1; 0 for none.
+  std::uint32_t object_at(int x, int y) const;
   /// The tile has values that may be shown.
   void show(const PixelRect& tile);
 

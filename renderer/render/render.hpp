@@ -20,11 +20,22 @@ struct Progress {
   std::optional<double> noise = {}; ///< and the noisiest block's noise, once it is known
 };
 
+/// Every so many samples of a picture in path mode, in pairs of one for each half: those of which ⌊sample/2⌋ mod
+/// `count` is `index` − 1. Parts of one count add up to the whole.
+struct SamplePart {
+  int index = 1, count = 1;
+  bool is_whole() const { return count == 1; }
+  friend bool operator==(const SamplePart&, const SamplePart&) = default;
+};
+
 struct RenderOptions {
   int threads = 0;                         ///< 0: one for each core
   std::optional<PixelRect> crop;           ///< the film holds this part of the picture only; inside the scene's size
   bool layers = false;                     ///< fill the film's layers
   std::optional<double> time_limit;        ///< seconds: in path mode no pass is begun that would take longer
+  SamplePart part = {};                    ///< in path mode
+  bool sums = false;                       ///< in path mode: the film keeps its sums
+  const Film* earlier = nullptr;           ///< in path mode: with sums of the same part, which go on to be added to
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
   /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and
@@ -40,6 +51,14 @@ struct RenderStatistics {
   int threads = 0;
   double samples = 0;          ///< for each pixel, in the mean
   std::optional<double> noise; ///< in path mode, of the noisiest block: see `NoiseBlocks`
+  /// Samples in path mode that were no finite numbers and count as black; and the first pixel that has one, in the
+  /// whole picture, row by row, with the id of the object in its middle (0: none).
+  struct Dropped {
+    std::uint64_t samples;
+    int x, y;
+    std::uint32_t object_id;
+  };
+  std::optional<Dropped> dropped = {};
 };
 
 struct Rendered {
@@ -68,6 +87,8 @@ struct View {
 /// As the scene says; and in Whitted's mode whatever it says, for comparing.
 View view_of(const scene::Scene& scene);
 View whitted_view_of(const scene::Scene& scene);
+/// Colour, error and samples of a film's pixels by its sums.
+void show_sums(Film& film, bool has_error);
 /// What the sums of path mode take beside the film.
 std::uint64_t sums_bytes(const PixelRect& rect);
 

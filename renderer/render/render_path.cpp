@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -15,18 +18,50 @@ bool is_finite(const Color& c) {
   return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
 }
 
-// Samples of each pixel, from the first one to before the last.
+// Samples of each pixel, from the first one to before the last, counted in the part that is made.
 struct Pass {
   std::uint32_t begin, end;
+  bool is_first = false; // of this run
+};
+
+// Samples that were lost. Which is the first does not depend on the order in which they are met.
+class DroppedSamples {
+public:
+  void add(const PixelPosition& pixel) {
+    const std::lock_guard lock(mutex_);
+    if (count_++ == 0 || std::pair(pixel.y, pixel.x) < std::pair(first_.y, first_.x)) first_ = pixel;
+  }
+  std::uint64_t count() const { return count_; }
+  const PixelPosition& first() const { return first_; }
+
+private:
+  std::mutex mutex_;
+  std::uint64_t count_ = 0;
+  PixelPosition first_{};
 };
 
 // What the workers on a picture in this mode share besides.
 struct PathPicture {
   FilterSampler filter;
   std::uint64_t seed;
+  SamplePart part;
   std::vector<PixelSums> sums; // by the film's pixels
   NoiseBlocks noise;
+  DroppedSamples dropped{};
+
+  // The sample of the whole picture that is the part's n-th.
+  std::uint32_t sample(std::uint32_t n) const {
+    const auto count = static_cast<std::uint32_t>(part.count), index = static_cast<std::uint32_t>(part.index - 1);
+    return 2 * (n / 2 * count + index) + n % 2;
+  }
 };
+
+// How many of the first `all` samples of a picture are the part's.
+std::uint32_t samples_in(const SamplePart& part, std::uint32_t all) {
+  const auto count = static_cast<std::uint32_t>(part.count), index = static_cast<std::uint32_t>(part.index - 1);
+  const std::uint32_t pairs = all / 2, rest = all % 2 == 1 && pairs % count == index ? 1 : 0;
+  return 2 * (pairs / count + (index < pairs % count ? 1 : 0)) + rest;
+}
 
 class PathBlocks final : public BlockWorker {
 public:
@@ -38,20 +73,27 @@ private:
   bool trace(const PixelRect& block) override {
     StaticVector<PixelPosition, camera_batch_size> pixels; // that need samples
     for_each_pixel(block, [&](int x, int y, std::size_t) {
-      if (!picture_.noise.rests(x, y)) pixels.add([&] { return PixelPosition{x, y}; });
-      if (pass_.begin == 0) job_.trace_layers(x, y, scratch_);
+      if (!picture_.noise.rests(x, y) && picture_.sums[job_.index(x, y)].samples() < pass_.end)
+        pixels.add([&] { return PixelPosition{x, y}; });
+      if (pass_.is_first) job_.trace_layers(x, y, scratch_);
     });
     if (pixels.size() == 0) return true;
-    for (std::uint32_t sample = pass_.begin; sample < pass_.end; ++sample)
-      if (!add(pixels, sample)) return false;
+    bool is_whole = true;
+    for (std::uint32_t n = pass_.begin; n < pass_.end && is_whole; ++n) is_whole = add(pixels, n);
     for (const PixelPosition& pixel : pixels) {
       const std::size_t index = job_.index(pixel.x, pixel.y);
       job_.film().color[index] = to_single(picture_.sums[index].mean());
     }
-    return true;
+    return is_whole;
   }
 
-  bool add(std::span<const PixelPosition> pixels, std::uint32_t sample) {
+  // The part's n-th sample of those pixels that do not have it.
+  bool add(std::span<const PixelPosition> all, std::uint32_t n) {
+    StaticVector<PixelPosition, camera_batch_size> pixels;
+    for (const PixelPosition& pixel : all)
+      if (picture_.sums[job_.index(pixel.x, pixel.y)].samples() == n) pixels.add([&] { return pixel; });
+    if (pixels.size() == 0) return true;
+    const std::uint32_t sample = picture_.sample(n);
     StaticVector<Ray, camera_batch_size> rays;
     StaticVector<SampleStream, camera_batch_size> streams;
     for (const PixelPosition& pixel : pixels) {
@@ -61,8 +103,11 @@ private:
     std::array<Color, camera_batch_size> values;
     job_.trace(*tracer_, rays, streams, values);
     if (job_.is_stopped()) return false;
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-      picture_.sums[job_.index(pixels[i].x, pixels[i].y)].add(sample, is_finite(values[i]) ? values[i] : black);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const bool counts = is_finite(values[i]);
+      if (!counts) picture_.dropped.add(pixels[i]);
+      picture_.sums[job_.index(pixels[i].x, pixels[i].y)].add(sample, counts ? values[i] : black);
+    }
     return true;
   }
 
@@ -74,11 +119,12 @@ private:
 class Schedule {
 public:
   Schedule(const View& view, const RenderOptions& options)
-      : all_(static_cast<std::uint32_t>(view.samples)), aim_(view.noise), time_limit_(options.time_limit) {}
+      : all_(samples_in(options.part, static_cast<std::uint32_t>(view.samples))), aim_(view.noise),
+        time_limit_(options.time_limit) {}
 
   /// Nothing once there is no more to do.
   std::optional<Pass> next(std::uint32_t done, double seconds) const {
-    if (done == all_) return std::nullopt;
+    if (done >= all_) return std::nullopt;
     if (done == 0) return Pass{0, std::min(time_limit_ ? 2 : first_pass, all_)};
     std::uint32_t count = done;
     if (time_limit_) {
@@ -104,38 +150,75 @@ private:
   std::optional<double> time_limit_;
 };
 
-void finish(PictureJob& job, const PathPicture& picture, bool has_layers, RenderStatistics& statistics) {
+void finish(PictureJob& job, PathPicture& picture, const RenderOptions& options, RenderStatistics& statistics) {
   double samples = 0;
   Film& film = job.film();
-  for (const PixelSums& pixel : picture.sums) {
-    samples += pixel.samples();
-    if (!has_layers) continue;
-    film.error.push_back(to_single(pixel.error()));
-    film.samples.push_back(pixel.samples());
-  }
+  for (const PixelSums& pixel : picture.sums) samples += pixel.samples();
   statistics.samples = samples / static_cast<double>(picture.sums.size());
   if (std::isfinite(picture.noise.worst())) statistics.noise = picture.noise.worst();
+  if (picture.dropped.count() > 0) {
+    const PixelPosition& first = picture.dropped.first();
+    statistics.dropped = {picture.dropped.count(), first.x, first.y, job.object_at(first.x, first.y)};
+  }
+  film.sums = std::move(picture.sums);
+  show_sums(film, options.layers);
+  if (options.sums)
+    for_each_pixel(job.rect(),
+                   [&](int x, int y, std::size_t) { film.noise_states.push_back(picture.noise.state(x, y)); });
+  else
+    film.sums = {};
+}
+
+// The least number of samples that a pixel has which wants more.
+std::uint32_t least_samples(const PictureJob& job, const PathPicture& picture) {
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+  for_each_pixel(job.rect(), [&](int x, int y, std::size_t i) {
+    if (!picture.noise.rests(x, y)) least = std::min(least, picture.sums[i].samples());
+  });
+  return least;
 }
 
 } // namespace
 
+void show_sums(Film& film, bool has_error) {
+  film.error.clear();
+  film.samples.clear();
+  for (std::size_t i = 0; i < film.sums.size(); ++i) {
+    film.color[i] = to_single(film.sums[i].mean());
+    if (!has_error) continue;
+    film.error.push_back(to_single(film.sums[i].error()));
+    film.samples.push_back(film.sums[i].samples());
+  }
+}
+
 bool render_path(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
                  RenderStatistics& statistics) {
-  PathPicture picture{FilterSampler(view.filter), static_cast<std::uint64_t>(view.seed),
+  PathPicture picture{FilterSampler(view.filter), static_cast<std::uint64_t>(view.seed), options.part,
                       std::vector<PixelSums>(job.film().color.size()), NoiseBlocks(job.rect(), view.noise)};
   const Schedule schedule(view, options);
   bool is_complete = true;
   std::optional<Pass> pass = schedule.next(0, 0);
+  if (options.earlier) {
+    picture.sums = options.earlier->sums;
+    picture.noise.restore(options.earlier->noise_states, picture.sums);
+    const std::uint32_t done = least_samples(job, picture);
+    while (pass && pass->end <= done) pass = schedule.next(pass->end, 0);
+    const auto make_worker = [&] { return std::make_unique<PathBlocks>(job, picture, Pass{0, 0, true}); };
+    is_complete = loop.run(make_worker, 0, 0); // for the layers
+  } else if (pass) {
+    pass->is_first = true;
+  }
   while (pass && is_complete && !picture.noise.all_rest()) {
     const auto make_worker = [&] { return std::make_unique<PathBlocks>(job, picture, *pass); };
     const double expected = schedule.expected(*pass, loop.seconds(), picture.noise.worst());
     is_complete = loop.run(make_worker, pass->begin / expected, pass->end / expected);
+    if (!is_complete) break;
     picture.noise.update(picture.sums);
     const double noise = picture.noise.worst();
     loop.tell(static_cast<int>(pass->end), std::isfinite(noise) ? std::optional(noise) : std::nullopt);
     pass = schedule.next(pass->end, loop.seconds());
   }
-  finish(job, picture, options.layers, statistics);
+  finish(job, picture, options, statistics);
   return is_complete;
 }
 

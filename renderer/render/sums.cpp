@@ -12,13 +12,6 @@ constexpr auto upper_limit = std::int64_t{1} << 62;
 
 } // namespace
 
-FixedSum FixedSum::from(std::int64_t upper, std::uint64_t lower) {
-  FixedSum sum;
-  sum.upper_ = upper;
-  sum.lower_ = lower;
-  return sum;
-}
-
 void FixedSum::add(double number) {
   const double clipped = std::clamp(number, -limit, limit);
   const double whole = std::floor(clipped);

@@ -20,7 +20,12 @@ public:
   /// The integer's upper and lower half: value · 2⁶⁴.
   std::int64_t upper() const { return upper_; }
   std::uint64_t lower() const { return lower_; }
-  static FixedSum from(std::int64_t upper, std::uint64_t lower);
+  static constexpr FixedSum from(std::int64_t upper, std::uint64_t lower) {
+    FixedSum sum;
+    sum.upper_ = upper;
+    sum.lower_ = lower;
+    return sum;
+  }
 
 private:
   std::int64_t upper_ = 0;
@@ -35,6 +40,11 @@ public:
   void add(const PixelSums& other);
 
   std::uint32_t samples() const { return counts_[0] + counts_[1]; }
+  /// Of a half, 0 or 1: its samples, and the sum of a channel of theirs.
+  std::uint32_t& samples(std::size_t half) { return counts_[half]; }
+  std::uint32_t samples(std::size_t half) const { return counts_[half]; }
+  FixedSum& sum(std::size_t half, std::size_t channel) { return sums_[half][channel]; }
+  const FixedSum& sum(std::size_t half, std::size_t channel) const { return sums_[half][channel]; }
   /// Black without samples.
   Color mean() const;
   /// Of one half, which must have samples.

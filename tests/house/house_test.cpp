@@ -80,7 +80,8 @@ constexpr Arrow arrows[] = {
     {"renderer/integrators", "renderer/scattering"},
     {"renderer/render", "renderer/integrators"},
     {"renderer/render", "renderer/render/film.hpp"},
-    {"renderer/render/film.hpp", "renderer/math"},
+    {"renderer/render/film.hpp", "renderer/render/sums.hpp"},
+    {"renderer/render/sums.hpp", "renderer/math"},
     {"renderer/image", "renderer/render/film.hpp"},
 
     // From text to a description

@@ -16,6 +16,7 @@ Action declare_explain(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_check(CLI::App& app);
 Action declare_diff(CLI::App& app);
+Action declare_merge(CLI::App& app);
 Action declare_lint(CLI::App& app);
 Action declare_repl(CLI::App& app);
 Action declare_fmt(CLI::App& app);

@@ -7,6 +7,7 @@ std::span<const Subcommand> subcommands() {
   static constexpr Subcommand table[] = {
       {"render", "SCENE [-o PICTURE]... [OPTIONS]", "renders a picture (the command name may be omitted)",
        declare_render},
+      {"merge", "PARTS... -o PICTURE", "adds up the parts of a picture (see --part)", declare_merge},
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
       {"scene", "SCENE [OPTIONS]", "prints the scene description as JSON", declare_scene},
       {"export", "SCENE [-o FILE] [OPTIONS]", "exports the scene to POV-Ray 3.7", declare_export},

@@ -117,6 +117,50 @@ TEST_CASE("render in path mode: filters spread pixels, and the box keeps them ap
   }
 }
 
+// Stopped wherever that happens to be, and continued, also where blocks of pixels rest that are quiet enough.
+TEST_CASE("render in path mode: what was stopped and is continued has the bytes of what was not") {
+  scene::Scene scene = lamp_and_ball();
+  scene.samples = 512;
+  for (const double noise : {0.0, 0.02}) {
+    if (noise > 0) scene.noise = noise;
+    RenderOptions whole;
+    whole.sums = true;
+    const Rendered expected = render(scene, whole);
+    for (const double share : {0.02, 0.2, 0.35}) {
+      std::atomic<bool> stop = false;
+      RenderOptions options;
+      options.sums = true, options.threads = 2, options.stop = &stop;
+      options.on_tile = [&, tiles = 0](const Film&, const PixelRect&) mutable { stop = ++tiles >= share * 12; };
+      const Rendered begun = render(scene, options);
+      REQUIRE_FALSE(begun.is_complete);
+      RenderOptions rest;
+      rest.sums = true, rest.earlier = &begun.film;
+      const Rendered ended = render(scene, rest);
+      CHECK(differences(ended.film.color, expected.film.color) == 0);
+      CHECK(ended.film.sums == expected.film.sums);
+      CHECK(ended.film.noise_states == expected.film.noise_states);
+      CHECK(ended.statistics.samples == expected.statistics.samples);
+    }
+    if (noise > 0) CHECK(expected.statistics.samples < 512);
+  }
+}
+
+// Of 20 samples the first of three parts has 0, 1, 6, 7, 12, 13, 18 and 19, the others six each.
+TEST_CASE("render in path mode: parts add up to the whole") {
+  const scene::Scene scene = lamp_and_ball();
+  RenderOptions options;
+  options.sums = true;
+  const Rendered whole = render(scene, options);
+  std::vector<PixelSums> sum(whole.film.sums.size());
+  for (const int k : {3, 1, 2}) {
+    options.part = {k, 3};
+    const Rendered part = render(scene, options);
+    CHECK(part.statistics.samples == (k == 1 ? 8 : 6));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i].add(part.film.sums[i]);
+  }
+  CHECK(sum == whole.film.sums);
+}
+
 TEST_CASE("render in path mode: it can be stopped, and says so") {
   scene::Scene scene = lamp_and_ball();
   scene.samples = 65536;

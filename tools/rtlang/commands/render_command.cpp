@@ -6,6 +6,7 @@
 #include "tools/inspect/scene_hash.hpp"
 #include "tools/rtlang/commands.hpp"
 #include "tools/rtlang/help.hpp"
+#include "tools/rtlang/picture_sums.hpp"
 #include "tools/rtlang/scene_arguments.hpp"
 #include "tools/rtlang/statistics.hpp"
 #include "tools/terminal/console.hpp"
@@ -55,6 +56,9 @@ struct RenderArguments {
   int bits = 8;
   int threads = 0;
   double seconds = 0; ///< at most; 0: as long as it takes
+  std::optional<SamplePart> part;
+  bool keeps_sums = false;
+  std::string earlier; ///< a picture that is to be continued
   bool keeps_partial = false;
   std::string statistics; ///< "text", "json", or empty for the one line
 };
@@ -126,15 +130,27 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   return rect;
 }
 
-void write(const std::vector<Output>& list, const Rendered& rendered, int bits, const scene::Scene& scene,
-           const std::string& hash) {
+/// What is said about a picture in its file.
+std::vector<std::pair<std::string, std::string>> text_of(scene::Scene& scene, const std::string& hash, bool is_exr,
+                                                         const std::optional<SumsLabel>& sums) {
+  const std::string software = fmt::format("rtlang {}", version_number());
+  if (!is_exr) return {{"Software", software}, {"Scene-Hash", hash}};
+  std::vector<std::pair<std::string, std::string>> text{{"software", software}, {"sceneHash", hash}};
+  if (!scene.is_path()) return text;
+  text.emplace_back("mode", "path");
+  text.emplace_back("seed", fmt::format("{}", scene.seed.value_or(0)));
+  text.emplace_back("samples", fmt::format("{}", scene::sample_count(scene)));
+  if (sums)
+    for (auto& attribute : attributes(*sums)) text.push_back(std::move(attribute));
+  return text;
+}
+
+void write(const std::vector<Output>& list, const Rendered& rendered, int bits, scene::Scene& scene,
+           const std::string& hash, const std::optional<SumsLabel>& sums) {
   const ObjectIds ids(scene);
   for (const Output& output : list) {
-    const std::string software = fmt::format("rtlang {}", version_number());
-    const bool is_exr = output.format == ImageFormat::exr; // whose attributes have names in this style
-    EncodeOptions options{bits,
-                          {{is_exr ? "software" : "Software", software}, {is_exr ? "sceneHash" : "Scene-Hash", hash}},
-                          [&ids](std::uint32_t id) { return ids.name(id); }};
+    const EncodeOptions options{bits, text_of(scene, hash, output.format == ImageFormat::exr, sums),
+                                [&ids](std::uint32_t id) { return ids.name(id); }};
     const std::string bytes = [&] {
       // Nothing is half written yet. A part of a picture is wanted in spite of the signal that cut it.
       std::optional<EndsAtOnce> encoding;
@@ -155,6 +171,26 @@ void report(const RenderArguments& arguments, const RunStatistics& statistics) {
     print_error(table(statistics));
   else if (!arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
     print_error(summary(statistics));
+}
+
+/// The line of the thing that an object of the film stands for: "ball (scene.rtl:12)".
+std::string place_of(const scene::Scene& scene, std::uint32_t id) {
+  const ObjectIds ids(scene);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const scene::Origin& origin = scene.objects[i].origin;
+    if (ids.range(i).first <= id && id <= ids.range(i).last)
+      return fmt::format("{} ({}:{})", ids.name(id), scene.files[origin.file], origin.line);
+  }
+  return "nothing";
+}
+
+void warn_of_dropped(const scene::Scene& scene, const RenderStatistics& statistics) {
+  if (!statistics.dropped) return;
+  const RenderStatistics::Dropped& dropped = *statistics.dropped;
+  print_error(fmt::format("rtlang: {} {} no finite light and count{} as black; the first in pixel ({}, {}), which "
+                          "shows {}\n",
+                          dropped.samples, dropped.samples == 1 ? "sample has" : "samples have",
+                          dropped.samples == 1 ? "s" : "", dropped.x, dropped.y, place_of(scene, dropped.object_id)));
 }
 
 /// While it lives, tells that nothing is traced yet.
@@ -208,6 +244,37 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
   return rendered;
 }
 
+/// What goes with path mode alone, and with what.
+void require_path_options(const RenderArguments& arguments, const scene::Scene& scene, bool has_exr) {
+  const auto require_path = [&](bool is_given, std::string_view option) {
+    if (is_given && !scene.is_path())
+      throw UsageError(fmt::format("{} goes with the mode path: the other one has no samples to be added", option));
+  };
+  if (arguments.seconds > 0 && !scene.is_path())
+    throw UsageError("--time goes with the mode path: the other one takes as long as it takes");
+  require_path(arguments.part.has_value(), "--part");
+  require_path(arguments.keeps_sums, "--sums");
+  require_path(!arguments.earlier.empty(), "--continue");
+  if (arguments.part && !has_exr) throw UsageError("--part makes sums, which only an .exr can hold: say -o FILE.exr");
+  if (arguments.part && scene.noise)
+    throw UsageError("--part does not go with the scene's `noise`, which is that of all samples together");
+}
+
+/// The picture that is to be continued, if it is one of this scene.
+std::optional<PictureWithSums> earlier_picture(const RenderArguments& arguments, const SumsLabel& label,
+                                               const PixelRect& rect) {
+  if (arguments.earlier.empty()) return std::nullopt;
+  std::optional<PictureWithSums> earlier = read_with_sums(arguments.earlier);
+  const Image& image = earlier->image;
+  if (earlier->label.samples_hash != label.samples_hash)
+    throw UsageError(fmt::format("`{}` is of another scene, size or seed", arguments.earlier));
+  if (PixelRect{image.left, image.top, image.left + image.width, image.top + image.height} != rect)
+    throw UsageError(fmt::format("`{}` shows another part of the picture", arguments.earlier));
+  if (earlier->label.parts != label.parts)
+    throw UsageError(fmt::format("`{}` has the samples of another --part", arguments.earlier));
+  return earlier;
+}
+
 int run_render(const RenderArguments& arguments) {
   const Clock::time_point start = Clock::now();
   const std::vector<Output> list = outputs(arguments);
@@ -227,18 +294,23 @@ int run_render(const RenderArguments& arguments) {
   RenderOptions options;
   options.threads = arguments.threads;
   options.stop = &stop_flag();
-  if (arguments.seconds > 0) {
-    if (!scene.is_path()) throw UsageError("--time goes with the mode path: the other one takes as long as it takes");
-    options.time_limit = arguments.seconds;
-  }
   options.layers = std::any_of(list.begin(), list.end(), [](const Output& o) { return o.format == ImageFormat::exr; });
+  require_path_options(arguments, scene, options.layers);
+  if (arguments.seconds > 0) options.time_limit = arguments.seconds;
   if (!arguments.crop.empty()) options.crop = crop(arguments.crop, scene.size);
+  options.part = arguments.part.value_or(SamplePart{});
+  options.sums = options.layers && (arguments.part || arguments.keeps_sums || !arguments.earlier.empty());
+  std::optional<SumsLabel> label;
+  if (options.sums || !arguments.earlier.empty()) label = label_of(scene, options.part);
+  const auto earlier = earlier_picture(arguments, label.value_or(SumsLabel{}),
+                                       options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]}));
+  if (earlier) options.earlier = &earlier->image;
   const Rendered rendered = render_with_progress(arguments, scene, options);
   if (!rendered.is_complete && (!arguments.keeps_partial || rendered.film.color.empty())) throw Interrupted{};
 
   const Clock::time_point write_start = Clock::now();
   statistics.scene_hash = scene_hash(scene);
-  write(list, rendered, arguments.bits, scene, statistics.scene_hash);
+  write(list, rendered, arguments.bits, scene, statistics.scene_hash, label);
   statistics.write_seconds = seconds_since(write_start);
 
   statistics.scene = arguments.scene->path;
@@ -249,6 +321,7 @@ int run_render(const RenderArguments& arguments) {
   statistics.load = loaded.statistics;
   statistics.render = rendered.statistics;
   statistics.total_seconds = seconds_since(start);
+  if (!arguments.scene->json_diagnostics) warn_of_dropped(scene, rendered.statistics);
   report(arguments, statistics);
   if (!rendered.is_complete) throw Interrupted{};
   return exit_fine;
@@ -278,6 +351,19 @@ Action declare_render(CLI::App& app) {
       ->check([](const std::string& text) {
         return seconds_of(text) ? "" : fmt::format("takes a time, as in 90s, 5m or 1.5h, not `{}`", text);
       })
+      ->group(further_options);
+  app.add_option_function<std::string>(
+         "--part", [arguments = arguments.get()](const std::string& text) { arguments->part = part_of(text); },
+         "in path: only the k-th of n shares of the samples, for `rtlang merge`")
+      ->type_name("K/N")
+      ->check([](const std::string& text) {
+        return part_of(text) ? "" : fmt::format("takes the k-th of n parts, as in 2/4, not `{}`", text);
+      })
+      ->group(further_options);
+  app.add_flag("--sums", arguments->keeps_sums, "in path: keeps in an .exr what --continue needs")
+      ->group(further_options);
+  app.add_option("--continue", arguments->earlier, "in path: adds samples to this picture, made with --sums")
+      ->type_name("PICTURE")
       ->group(further_options);
   app.add_option("--threads", arguments->threads, "number of threads (one per core)")
       ->type_name("N")

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -63,7 +64,7 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder, HitRules rules)
     : device_(std::make_shared<bvh::Device>(threads, builder)), background_(scene.background), ambient_(scene.ambient),
-      max_depth_(scene::depth_limit(scene)) {
+      max_depth_(scene::depth_limit(scene)), reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
   const auto bindings = std::make_shared<MaterialBindings>(validated(scene));
   bindings_ = bindings;
   objects_ = compile(scene, scene.objects, *device_, *bindings, {}, {}, rules);
@@ -73,7 +74,8 @@ CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builde
 }
 
 CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
-    : background_(scene.background), ambient_(scene.ambient), max_depth_(scene::depth_limit(scene)) {
+    : background_(scene.background), ambient_(scene.ambient), max_depth_(scene::depth_limit(scene)),
+      reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
   objects_ = cache.compile(scene, parts);
   device_ = cache.device_;
   bindings_ = cache.bindings_;

@@ -110,6 +110,8 @@ public:
   Color environment(const Vec3& direction) const { return sky_ ? rt::radiance(*sky_, direction) : background_; }
   Color ambient() const { return ambient_; }
   int max_depth() const { return max_depth_; }
+  /// How far away something blocks in `scene::Mode::occlusion`.
+  double reach() const { return reach_; }
 
 private:
   void add_lights(const scene::Scene& scene);
@@ -124,6 +126,7 @@ private:
   std::optional<SkyEmitter> sky_;
   Color background_, ambient_;
   int max_depth_;
+  double reach_;
   bool absorbs_ = false;
 };
 

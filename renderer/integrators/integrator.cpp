@@ -1,5 +1,6 @@
 #include "renderer/integrators/integrator.hpp"
 
+#include "renderer/integrators/occlusion.hpp"
 #include "renderer/integrators/path/path.hpp"
 #include "renderer/integrators/whitted.hpp"
 
@@ -13,6 +14,8 @@ std::unique_ptr<const Integrator> make_integrator(IntegratorKind kind, const Com
     return make_whitted(scene);
   case IntegratorKind::path:
     return make_path(scene);
+  case IntegratorKind::occlusion:
+    return make_occlusion(scene);
   case IntegratorKind::whitted_povray:
     return make_whitted_povray(scene);
   }

@@ -36,6 +36,7 @@ public:
 enum class IntegratorKind {
   whitted,
   path,
+  occlusion,
   whitted_povray ///< under POV-Ray's rules, for explaining where its pictures differ
 };
 

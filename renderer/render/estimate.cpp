@@ -1,5 +1,6 @@
 #include "renderer/render/estimate.hpp"
 
+#include "renderer/integrators/occlusion.hpp"
 #include "renderer/integrators/path/path_tracer.hpp"
 #include "renderer/math/rounding.hpp"
 
@@ -52,19 +53,25 @@ Estimate refine(double precision, Draw&& draw) {
 } // namespace
 
 Estimate Estimator::radiance(const std::function<Ray(const SampleStream&)>& make_ray, double precision) const {
-  PathTracer tracer(scene_, nullptr);
-  return refine(precision, [&](const SampleStream& stream) {
-    const Ray ray = make_ray(stream);
-    Color seen;
-    tracer.radiance({&ray, 1}, {&stream, 1}, scene_.scene.around(ray.origin), {&seen, 1});
-    return seen;
-  });
+  const auto estimate = [&](auto& tracer) {
+    return refine(precision, [&](const SampleStream& stream) {
+      const Ray ray = make_ray(stream);
+      Color seen;
+      tracer.radiance({&ray, 1}, {&stream, 1}, scene_.around(ray.origin), {&seen, 1});
+      return seen;
+    });
+  };
+  if (!paths_) {
+    const auto integrator = make_occlusion(scene_);
+    return estimate(*integrator->make_worker());
+  }
+  PathTracer tracer(*paths_, nullptr);
+  return estimate(tracer);
 }
 
 Estimate Estimator::irradiance(const Vec3& point, const Vec3& normal, double precision) const {
-  PathTracer tracer(scene_, nullptr);
-  const std::vector<Medium> inside =
-      scene_.scene.around(point + normal * (rounding_bound(64) * (magnitude(point) + 1)));
+  PathTracer tracer(*paths_, nullptr);
+  const std::vector<Medium> inside = scene_.around(point + normal * (rounding_bound(64) * (magnitude(point) + 1)));
   return refine(precision,
                 [&](const SampleStream& stream) { return tracer.irradiance(point, normal, stream, inside); });
 }

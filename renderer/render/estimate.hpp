@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace rt {
 
@@ -16,11 +17,14 @@ struct Estimate {
   std::uint32_t samples = 0;
 };
 
-/// What path mode finds in a scene at single places, as precisely as is asked for, and the same each time.
+/// What modes with random samples find in a scene at single places, as precisely as is asked for, and the same each
+/// time.
 class Estimator {
 public:
-  /// The scene must outlive it.
-  explicit Estimator(const CompiledScene& scene) : scene_(scene) {}
+  /// The scene must outlive it. `follows_paths`: else it estimates how open surfaces are, and knows no irradiance.
+  explicit Estimator(const CompiledScene& scene, bool follows_paths = true) : scene_(scene) {
+    if (follows_paths) paths_.emplace(scene);
+  }
 
   /// The light that comes in along rays (unit directions), each of which is made of a sample's numbers.
   Estimate radiance(const std::function<Ray(const SampleStream&)>& make_ray, double precision) const;
@@ -33,7 +37,8 @@ public:
   static constexpr std::uint32_t most_samples = 1 << 20;
 
 private:
-  PathScene scene_;
+  const CompiledScene& scene_;
+  std::optional<PathScene> paths_;
 };
 
 } // namespace rt

@@ -38,7 +38,7 @@ struct Film {
   std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
   std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
 
-  std::vector<Rgb32> error;                ///< in path mode: the standard error of the colour, estimated for each pixel
+  std::vector<Rgb32> error; ///< with random samples: the standard error of the colour, estimated for each pixel
   std::vector<std::uint32_t> samples;      ///< and how many there were
   std::vector<PixelSums> sums;             ///< what further samples can be added to, where that was asked for
   std::vector<std::uint32_t> noise_states; ///< and what `NoiseBlocks` must know to go on

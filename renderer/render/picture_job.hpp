@@ -67,7 +67,7 @@ class TileLoop;
 
 /// Make the picture of a job in the one mode or the other; false where it was stopped.
 bool render_whitted(PictureJob& job, const View& view, TileLoop& loop);
-bool render_path(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
-                 RenderStatistics& statistics);
+bool render_random(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
+                   RenderStatistics& statistics);
 
 } // namespace rt

@@ -7,6 +7,7 @@
 #include "renderer/scene/validation/validate.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <thread>
 
@@ -18,6 +19,19 @@ using Clock = std::chrono::steady_clock;
 int thread_count(int wanted) {
   if (wanted > 0) return wanted;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+IntegratorKind kind_of(scene::Mode mode) {
+  switch (mode) {
+  case scene::Mode::whitted:
+    return IntegratorKind::whitted;
+  case scene::Mode::path:
+    return IntegratorKind::path;
+  case scene::Mode::occlusion:
+    return IntegratorKind::occlusion;
+  }
+  assert(false);
+  return IntegratorKind::whitted;
 }
 
 void require_valid(const View& view) {
@@ -62,7 +76,7 @@ Rendered render(const scene::Scene& scene, const RenderOptions& options) {
 
 Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options) {
   require_valid(view);
-  const bool is_path = view.mode == scene::Mode::path;
+  const bool is_random = view.mode != scene::Mode::whitted;
   Rendered result;
   const PixelRect rect = options.crop.value_or(PixelRect{0, 0, view.size[0], view.size[1]});
   TileLoop loop(rect, thread_count(options.threads), options);
@@ -72,10 +86,10 @@ Rendered render(const CompiledScene& scene, const View& view, const RenderOption
     return result;
   }
   result.film.tone_mapping = view.tone_mapping;
-  PictureJob job(scene, view, is_path ? IntegratorKind::path : IntegratorKind::whitted, options, rect, result.film);
+  PictureJob job(scene, view, kind_of(view.mode), options, rect, result.film);
   result.statistics.samples = view.samples;
   result.is_complete =
-      is_path ? render_path(job, view, options, loop, result.statistics) : render_whitted(job, view, loop);
+      is_random ? render_random(job, view, options, loop, result.statistics) : render_whitted(job, view, loop);
   result.statistics.threads = loop.threads();
   result.statistics.trace_seconds = loop.seconds();
   result.statistics.rays = loop.counts();

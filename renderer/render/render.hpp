@@ -16,11 +16,11 @@ struct Progress {
   double fraction = 0;              ///< of all tiles, 0 to 1
   std::uint64_t rays = 0;           ///< traced so far, of every kind
   double seconds = 0;               ///< since tracing began
-  int samples = 0;                  ///< in path mode: that each pixel has
+  int samples = 0;                  ///< with random samples: that each pixel has
   std::optional<double> noise = {}; ///< and the noisiest block's noise, once it is known
 };
 
-/// Every so many samples of a picture in path mode, in pairs of one for each half: those of which ⌊sample/2⌋ mod
+/// Every so many samples of a picture with random samples, in pairs of one for each half: those of which ⌊sample/2⌋ mod
 /// `count` is `index` − 1. Parts of one count add up to the whole.
 struct SamplePart {
   int index = 1, count = 1;
@@ -29,13 +29,13 @@ struct SamplePart {
 };
 
 struct RenderOptions {
-  int threads = 0;                         ///< 0: one for each core
-  std::optional<PixelRect> crop;           ///< the film holds this part of the picture only; inside the scene's size
-  bool layers = false;                     ///< fill the film's layers
-  std::optional<double> time_limit;        ///< seconds: in path mode no pass is begun that would take longer
-  SamplePart part = {};                    ///< in path mode
-  bool sums = false;                       ///< in path mode: the film keeps its sums
-  const Film* earlier = nullptr;           ///< in path mode: with sums of the same part, which go on to be added to
+  int threads = 0;                  ///< 0: one for each core
+  std::optional<PixelRect> crop;    ///< the film holds this part of the picture only; inside the scene's size
+  bool layers = false;              ///< fill the film's layers
+  std::optional<double> time_limit; ///< seconds: with random samples no pass is begun that would take longer
+  SamplePart part = {};             ///< with random samples
+  bool sums = false;                ///< with random samples: the film keeps its sums
+  const Film* earlier = nullptr;    ///< with random samples: with sums of the same part, which go on to be added to
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
   /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and
@@ -50,9 +50,9 @@ struct RenderStatistics {
   double trace_seconds = 0;
   int threads = 0;
   double samples = 0;          ///< for each pixel, in the mean
-  std::optional<double> noise; ///< in path mode, of the noisiest block: see `NoiseBlocks`
-  /// Samples in path mode that were no finite numbers and count as black; and the first pixel that has one, in the
-  /// whole picture, row by row, with the id of the object in its middle (0: none).
+  std::optional<double> noise; ///< with random samples, of the noisiest block: see `NoiseBlocks`
+  /// Samples with random samples that were no finite numbers and count as black; and the first pixel that has one, in
+  /// the whole picture, row by row, with the id of the object in its middle (0: none).
   struct Dropped {
     std::uint64_t samples;
     int x, y;
@@ -80,7 +80,7 @@ struct View {
   int samples = 1; ///< a square number in Whitted's mode
   ToneMapping tone_mapping = {};
   scene::Mode mode = scene::Mode::whitted;
-  int seed = 0; ///< this and what follows in path mode only
+  int seed = 0; ///< this and what follows with random samples only
   scene::PixelFilter filter = scene::PixelFilter::blackman_harris;
   double noise = 0; ///< at which a part of the picture needs no more samples
 };
@@ -89,7 +89,7 @@ View view_of(const scene::Scene& scene);
 View whitted_view_of(const scene::Scene& scene);
 /// Colour, error and samples of a film's pixels by its sums.
 void show_sums(Film& film, bool has_error);
-/// What the sums of path mode take beside the film.
+/// What the sums of random samples take beside the film.
 std::uint64_t sums_bytes(const PixelRect& rect);
 
 /// The same for a scene that is compiled already; its primitives and the time to build are not counted.

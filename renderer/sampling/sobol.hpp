@@ -31,8 +31,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// The first groups of a sample's numbers: the place within the pixel, and on the lens.
-inline constexpr std::uint32_t camera_group = 0, lens_group = 1;
+/// The first groups of a sample's numbers: the place within the pixel, and on the lens; then those that integrators
+/// take.
+inline constexpr std::uint32_t camera_group = 0, lens_group = 1, first_free_group = 2;
 
 /// All the numbers of one sample of a pixel, four at a time: a group is a point of Sobol's sequence. Each group has its
 /// own scrambling of the samples' order, so that groups have nothing to do with each other, and of the coordinates (B.

@@ -39,6 +39,7 @@ std::string assume_camera(Scene& scene, const Box3& finite_bounds) {
 
 bool lacks_light(const Scene& scene, bool has_ambient) {
   if (std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp)) return false;
+  if (scene.mode == Mode::occlusion) return false;
   if (!scene.is_path()) return !has_ambient;
   if (!scene.lights.empty()) return false;
   const auto& materials = scene.materials;

@@ -129,16 +129,18 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Constraint depth{.min = 0, .max = 1000, .is_whole = true};
   static constexpr Constraint count{.min = 1, .max = most_samples, .is_whole = true};
   static constexpr Constraint number{.min = 0, .max = std::numeric_limits<int>::max(), .is_whole = true};
-  static constexpr std::string_view modes[] = {"whitted", "path"};
+  static constexpr std::string_view modes[] = {"whitted", "path", "occlusion"};
   static constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris"};
   static constexpr Field table[] = {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
       field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
       field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere", not_negative}),
       field<&Scene::mode>(
-          "mode", {.default_text = "whitted",
-                   .help = "how light is followed: whitted, or path, with soft shadows and light between surfaces",
-                   .choices = modes}),
+          "mode",
+          {.default_text = "whitted",
+           .help = "how light is followed: whitted; path, with soft shadows and light between surfaces; or occlusion, "
+                   "how open surfaces are",
+           .choices = modes}),
       field<&Scene::max_depth>(
           "max_depth", {"8", "how often a ray may be mirrored or refracted; in path, scattered at all (64)", depth}),
       field<&Scene::samples>(
@@ -150,6 +152,7 @@ std::span<const Field> fields(const Scene*) {
       field<&Scene::filter>("filter", {.default_text = "blackman_harris",
                                        .help = "in path: how pixels overlap (box: not at all)",
                                        .choices = filters}),
+      field<&Scene::reach>("reach", {"infinite", "in occlusion: how far away something still blocks", positive}),
       field<&Scene::exposure>("exposure", {"0", "stops by which pictures of 8 and 16 bits are brighter", stops}),
       field<&Scene::tone>("tone", {"clip", "what is too bright for them: clip makes it white, filmic rolls it off",
                                    any_value, 0, std::nullopt, tone_choices}),
@@ -158,7 +161,7 @@ std::span<const Field> fields(const Scene*) {
 }
 
 int sample_count(const Settings& settings) {
-  const int otherwise = !settings.is_path() ? 1 : settings.noise ? most_samples : 64;
+  const int otherwise = !settings.is_random() ? 1 : settings.noise ? most_samples : 64;
   return settings.samples.value_or(otherwise);
 }
 
@@ -167,7 +170,7 @@ int depth_limit(const Settings& settings) {
 }
 
 int whitted_samples(const Settings& settings) {
-  return settings.is_path() ? 1 : sample_count(settings);
+  return settings.is_random() ? 1 : sample_count(settings);
 }
 
 ToneMapping tone_mapping(const Scene& scene) {

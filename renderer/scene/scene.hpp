@@ -13,11 +13,12 @@
 
 namespace rt::scene {
 
-/// How light is followed: by Whitted's formula, or by paths that solve the rendering equation.
-enum class Mode : std::uint8_t { whitted, path };
+/// How light is followed: by Whitted's formula, by paths that solve the rendering equation, or not at all: how open
+/// surfaces are.
+enum class Mode : std::uint8_t { whitted, path, occlusion };
 
-/// How much of the light around a pixel counts for it in `Mode::path`, by its distance: evenly over the pixel, or a
-/// bell 1.5 pixels wide to each side.
+/// How much of the light around a pixel counts for it where samples are random, by its distance: evenly over the pixel,
+/// or a bell 1.5 pixels wide to each side.
 enum class PixelFilter : std::uint8_t { box, gaussian, blackman_harris };
 
 /// The properties of the scene itself. What depends on the mode and was not written is empty.
@@ -32,11 +33,14 @@ struct Settings {
   std::optional<double> noise;
   std::optional<int> seed;           ///< 0
   std::optional<PixelFilter> filter; ///< Blackman and Harris's
+  std::optional<double> reach;       ///< in `Mode::occlusion`: infinite
   std::optional<double> exposure;    ///< stops
   std::optional<Tone> tone;
 
   /// Whether paths are followed, and not Whitted's formula.
   bool is_path() const { return mode == Mode::path; }
+  /// Whether a pixel is the mean of samples that are drawn at random.
+  bool is_random() const { return mode && mode != Mode::whitted; }
 };
 
 /// All that a scene file says, as plain data: what evaluation yields and the compiler, the exporter and `rtlang scene`

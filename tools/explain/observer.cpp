@@ -31,7 +31,7 @@ public:
     return t;
   }
 
-  bool estimates() const override { return scene_.is_path(); }
+  bool estimates() const override { return scene_.is_random(); }
 
   lang::LightAnswer pixel_color(int x, int y, double precision) const override {
     if (!estimates()) return {query_.pixel(x, y)};
@@ -54,7 +54,7 @@ public:
 
 private:
   const Estimator& estimator() const {
-    if (!estimator_) estimator_.emplace(query_.scene());
+    if (!estimator_) estimator_.emplace(query_.scene(), scene_.is_path());
     return *estimator_;
   }
 

@@ -13,7 +13,7 @@ _rtlang() {
     --format) words='png exr ppm pfm' ;;
     --bits) words='8 16' ;;
     --stats) words='json' ;;
-    --mode) words='whitted path' ;;
+    --mode) words='whitted path occlusion' ;;
     --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
     -D | --size | --samples | --max-* | --crop | --threads | --time | --part | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed) return ;;
   esac

@@ -48,7 +48,7 @@ std::string PictureSettings::set(std::string_view field, std::string_view text) 
 }
 
 void PictureSettings::apply_to(scene::Scene& scene) const {
-  if (mode && (*mode == scene::Mode::path) != scene.is_path()) scene.samples = scene.max_depth = std::nullopt;
+  if (mode && *mode != scene.mode.value_or(scene::Mode::whitted)) scene.samples = scene.max_depth = std::nullopt;
   if (mode) scene.mode = mode;
   scene.size = size.value_or(scene.size);
   if (seed) scene.seed = seed;

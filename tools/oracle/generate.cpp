@@ -185,7 +185,7 @@ void add_settings(Dice& dice, Block& file) {
   if (dice.chance(0.08)) file.set("samples", dice.chance(0.5) ? "4" : "9");
   // What changes nothing in this mode, or in a linear picture.
   if (dice.chance(0.1)) file.set("mode", "whitted");
-  if (dice.chance(0.1)) file.set("noise", "0.01").set("seed", "7").set("filter", "gaussian");
+  if (dice.chance(0.1)) file.set("noise", "0.01").set("seed", "7").set("filter", "gaussian").set("reach", "2");
   if (dice.chance(0.1)) file.set("exposure", text(dice.between(-2, 2))).set("tone", "filmic");
 }
 

@@ -20,7 +20,7 @@ constexpr int first_roulette = 3;
 
 // Groups of numbers: two of the camera's, then three of each surface that is met.
 constexpr std::uint32_t scattering_group(int vertex) {
-  return 2 + 3 * static_cast<std::uint32_t>(vertex);
+  return first_free_group + 3 * static_cast<std::uint32_t>(vertex);
 }
 constexpr std::uint32_t lamp_group(int vertex) {
   return scattering_group(vertex) + 1;

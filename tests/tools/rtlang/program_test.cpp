@@ -102,7 +102,7 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK_THAT(message({"scene.rtl", "--samples", "3"}), StartsWith("rtlang: --samples cannot be 3: "));
   CHECK(message({"scene.rtl", "--mode", "radiosity"}) == "rtlang: --mode takes one of whitted, path, not `radiosity`");
   CHECK(message({"scene.rtl", "--time", "9s"}) ==
-        "rtlang: --time goes with the mode path: the other one takes as long as it takes");
+        "rtlang: --time does not go with the mode whitted, which takes as long as it takes");
   CHECK(message({"scene.rtl", "--mode", "path", "--time", "soon"}) ==
         "rtlang: --time takes a time, as in 90s, 5m or 1.5h, not `soon`");
   CHECK(message({"scene.rtl", "--max-depth", "-1"}) ==

@@ -136,8 +136,8 @@ std::vector<std::pair<std::string, std::string>> text_of(scene::Scene& scene, co
   const std::string software = fmt::format("rtlang {}", version_number());
   if (!is_exr) return {{"Software", software}, {"Scene-Hash", hash}};
   std::vector<std::pair<std::string, std::string>> text{{"software", software}, {"sceneHash", hash}};
-  if (!scene.is_path()) return text;
-  text.emplace_back("mode", "path");
+  if (!scene.is_random()) return text;
+  text.emplace_back("mode", scene.is_path() ? "path" : "occlusion");
   text.emplace_back("seed", fmt::format("{}", scene.seed.value_or(0)));
   text.emplace_back("samples", fmt::format("{}", scene::sample_count(scene)));
   if (sums)
@@ -220,7 +220,7 @@ Rendered render_within_memory(const CompiledScene& compiled, const scene::Scene&
     return rt::render(compiled, view, options);
   } catch (const std::bad_alloc&) {
     const PixelRect rect = options.crop.value_or(PixelRect{0, 0, scene.size[0], scene.size[1]});
-    const std::uint64_t sums = scene.is_path() ? sums_bytes(rect) : 0;
+    const std::uint64_t sums = scene.is_random() ? sums_bytes(rect) : 0;
     throw std::runtime_error(fmt::format(
         "there is not enough memory: a picture of {}×{} pixels takes {}B{}", rect.width(), rect.height(),
         human(static_cast<double>(film_bytes(rect, options.layers) + sums)), options.layers ? " with its layers" : ""));
@@ -247,11 +247,11 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
 /// What goes with path mode alone, and with what.
 void require_path_options(const RenderArguments& arguments, const scene::Scene& scene, bool has_exr) {
   const auto require_path = [&](bool is_given, std::string_view option) {
-    if (is_given && !scene.is_path())
-      throw UsageError(fmt::format("{} goes with the mode path: the other one has no samples to be added", option));
+    if (is_given && !scene.is_random())
+      throw UsageError(fmt::format("{} does not go with the mode whitted, which has no samples to be added", option));
   };
-  if (arguments.seconds > 0 && !scene.is_path())
-    throw UsageError("--time goes with the mode path: the other one takes as long as it takes");
+  if (arguments.seconds > 0 && !scene.is_random())
+    throw UsageError("--time does not go with the mode whitted, which takes as long as it takes");
   require_path(arguments.part.has_value(), "--part");
   require_path(arguments.keeps_sums, "--sums");
   require_path(!arguments.earlier.empty(), "--continue");
@@ -346,7 +346,7 @@ Action declare_render(CLI::App& app) {
       ->check(one_of({"8", "16"}));
   app.add_option_function<std::string>(
          "--time", [arguments = arguments.get()](const std::string& text) { arguments->seconds = *seconds_of(text); },
-         "in path: samples for so long, as in 90s, 5m or 1.5h")
+         "but in whitted: samples for so long, as in 90s, 5m or 1.5h")
       ->type_name("T")
       ->check([](const std::string& text) {
         return seconds_of(text) ? "" : fmt::format("takes a time, as in 90s, 5m or 1.5h, not `{}`", text);
@@ -354,15 +354,15 @@ Action declare_render(CLI::App& app) {
       ->group(further_options);
   app.add_option_function<std::string>(
          "--part", [arguments = arguments.get()](const std::string& text) { arguments->part = part_of(text); },
-         "in path: only the k-th of n shares of the samples, for `rtlang merge`")
+         "but in whitted: only the k-th of n shares of the samples, for `rtlang merge`")
       ->type_name("K/N")
       ->check([](const std::string& text) {
         return part_of(text) ? "" : fmt::format("takes the k-th of n parts, as in 2/4, not `{}`", text);
       })
       ->group(further_options);
-  app.add_flag("--sums", arguments->keeps_sums, "in path: keeps in an .exr what --continue needs")
+  app.add_flag("--sums", arguments->keeps_sums, "but in whitted: keeps in an .exr what --continue needs")
       ->group(further_options);
-  app.add_option("--continue", arguments->earlier, "in path: adds samples to this picture, made with --sums")
+  app.add_option("--continue", arguments->earlier, "but in whitted: adds samples to this picture, made with --sums")
       ->type_name("PICTURE")
       ->group(further_options);
   app.add_option("--threads", arguments->threads, "number of threads (one per core)")

@@ -40,8 +40,8 @@ private:
   PixelPosition first_{};
 };
 
-// What the workers on a picture in this mode share besides.
-struct PathPicture {
+// What the workers on a picture share besides.
+struct SampledPicture {
   FilterSampler filter;
   std::uint64_t seed;
   SamplePart part;
@@ -63,9 +63,9 @@ std::uint32_t samples_in(const SamplePart& part, std::uint32_t all) {
   return 2 * (pairs / count + (index < pairs % count ? 1 : 0)) + rest;
 }
 
-class PathBlocks final : public BlockWorker {
+class SampledBlocks final : public BlockWorker {
 public:
-  PathBlocks(PictureJob& job, PathPicture& picture, const Pass& pass)
+  SampledBlocks(PictureJob& job, SampledPicture& picture, const Pass& pass)
       : BlockWorker(job), picture_(picture), pass_(pass) {}
 
 private:
@@ -111,7 +111,7 @@ private:
     return true;
   }
 
-  PathPicture& picture_;
+  SampledPicture& picture_;
   Pass pass_;
 };
 
@@ -150,7 +150,7 @@ private:
   std::optional<double> time_limit_;
 };
 
-void finish(PictureJob& job, PathPicture& picture, const RenderOptions& options, RenderStatistics& statistics) {
+void finish(PictureJob& job, SampledPicture& picture, const RenderOptions& options, RenderStatistics& statistics) {
   double samples = 0;
   Film& film = job.film();
   for (const PixelSums& pixel : picture.sums) samples += pixel.samples();
@@ -170,7 +170,7 @@ void finish(PictureJob& job, PathPicture& picture, const RenderOptions& options,
 }
 
 // The least number of samples that a pixel has which wants more.
-std::uint32_t least_samples(const PictureJob& job, const PathPicture& picture) {
+std::uint32_t least_samples(const PictureJob& job, const SampledPicture& picture) {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
   for_each_pixel(job.rect(), [&](int x, int y, std::size_t i) {
     if (!picture.noise.rests(x, y)) least = std::min(least, picture.sums[i].samples());
@@ -191,10 +191,10 @@ void show_sums(Film& film, bool has_error) {
   }
 }
 
-bool render_path(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
-                 RenderStatistics& statistics) {
-  PathPicture picture{FilterSampler(view.filter), static_cast<std::uint64_t>(view.seed), options.part,
-                      std::vector<PixelSums>(job.film().color.size()), NoiseBlocks(job.rect(), view.noise)};
+bool render_random(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
+                   RenderStatistics& statistics) {
+  SampledPicture picture{FilterSampler(view.filter), static_cast<std::uint64_t>(view.seed), options.part,
+                         std::vector<PixelSums>(job.film().color.size()), NoiseBlocks(job.rect(), view.noise)};
   const Schedule schedule(view, options);
   bool is_complete = true;
   std::optional<Pass> pass = schedule.next(0, 0);
@@ -203,13 +203,13 @@ bool render_path(PictureJob& job, const View& view, const RenderOptions& options
     picture.noise.restore(options.earlier->noise_states, picture.sums);
     const std::uint32_t done = least_samples(job, picture);
     while (pass && pass->end <= done) pass = schedule.next(pass->end, 0);
-    const auto make_worker = [&] { return std::make_unique<PathBlocks>(job, picture, Pass{0, 0, true}); };
+    const auto make_worker = [&] { return std::make_unique<SampledBlocks>(job, picture, Pass{0, 0, true}); };
     is_complete = loop.run(make_worker, 0, 0); // for the layers
   } else if (pass) {
     pass->is_first = true;
   }
   while (pass && is_complete && !picture.noise.all_rest()) {
-    const auto make_worker = [&] { return std::make_unique<PathBlocks>(job, picture, *pass); };
+    const auto make_worker = [&] { return std::make_unique<SampledBlocks>(job, picture, *pass); };
     const double expected = schedule.expected(*pass, loop.seconds(), picture.noise.worst());
     is_complete = loop.run(make_worker, pass->begin / expected, pass->end / expected);
     if (!is_complete) break;

@@ -33,14 +33,24 @@ std::optional<Emitter> Emitter::make(const LampSurface& surface, const Affine& t
 
 Emitter::Emitter(const LampSurface& surface, const Affine& to_scene, bool is_mapped)
     : surface_(surface), to_scene_(to_scene), is_mapped_(is_mapped),
-      area_(std::visit([](const auto& s) { return area(s); }, surface)) {
-  Box3 box;
+      area_(std::visit([](const auto& s) { return area(s); }, surface)) {}
+
+// By points all over it: what is round bulges out a little between them.
+LightBounds Emitter::bounds(double power) const {
   constexpr int steps = 4;
-  for (int i = 0; i <= steps; ++i)
-    for (int j = 0; j <= steps; ++j)
-      box.extend(point(static_cast<double>(i) / steps, static_cast<double>(j) / steps).position);
-  center_ = box.center();
-  radius_ = length(box.extent()) / 2;
+  Box3 box;
+  LightBounds all{.power = power, .axis = point(0.5, 0.5).normal, .cos_spread = 1};
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps; ++j) {
+      const AreaPoint at = point(static_cast<double>(i) / steps, static_cast<double>(j) / steps);
+      box.extend(at.position);
+      const double cosine = std::abs(dot(at.normal, all.axis));
+      if (cosine < 1 - 1e-9) all.cos_spread = 0; // not flat
+    }
+  }
+  all.center = box.center();
+  all.radius = length(box.extent()) / 2;
+  return all;
 }
 
 AreaPoint Emitter::point(double u, double v) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/compile/geometries.hpp"
+#include "renderer/lighting/light_tree.hpp"
 #include "renderer/math/affine.hpp"
 
 #include <optional>
@@ -74,9 +75,8 @@ public:
   AreaPoint point(double u, double v) const;
   /// About, where the map stretches it.
   double surface_area() const;
-  /// A ball around it.
-  const Vec3& center() const { return center_; }
-  double radius() const { return radius_; }
+  /// As a lamp of this power.
+  LightBounds bounds(double power) const;
 
 private:
   Emitter(const LampSurface& surface, const Affine& to_scene, bool is_mapped);
@@ -89,8 +89,6 @@ private:
   Affine to_scene_;
   bool is_mapped_; ///< the map is not the identity
   double area_;    ///< before the map
-  Vec3 center_{};
-  double radius_ = 0;
 };
 
 } // namespace rt

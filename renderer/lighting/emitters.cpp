@@ -146,11 +146,12 @@ Emitters::Emitters(const CompiledScene& scene) {
   std::stable_sort(list_.begin(), list_.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.order, a.identity.operand) < std::tie(b.order, b.identity.operand);
   });
-  double sum = 0;
+  std::vector<LightBounds> bounds;
   for (const Entry& entry : list_) {
-    by_identity_.emplace(entry.identity, static_cast<std::uint32_t>(cumulative_power_.size()));
-    cumulative_power_.push_back(sum += entry.power);
+    by_identity_.emplace(entry.identity, static_cast<std::uint32_t>(bounds.size()));
+    bounds.push_back(entry.emitter.bounds(entry.power));
   }
+  tree_ = LightTree(bounds);
 }
 
 std::size_t Emitters::IdentityHash::operator()(const Identity& identity) const {
@@ -164,35 +165,6 @@ std::size_t Emitters::IdentityHash::operator()(const Identity& identity) const {
 std::optional<std::uint32_t> Emitters::find(const RayHit& hit) const {
   const auto found = by_identity_.find({hit.leaves, hit.base, hit.index, hit.operand});
   return found == by_identity_.end() ? std::nullopt : std::optional(found->second);
-}
-
-double Emitters::weight(const Entry& entry, const Vec3& p) const {
-  const Vec3 way = entry.emitter.center() - p;
-  const double radius = entry.emitter.radius();
-  return entry.power / std::max(dot(way, way), radius * radius);
-}
-
-Emitters::Choice Emitters::choose(const Vec3& p, double u) const {
-  const auto last = static_cast<std::uint32_t>(list_.size() - 1);
-  if (list_.size() > few) {
-    const double aim = u * cumulative_power_.back();
-    const auto at = std::upper_bound(cumulative_power_.begin(), cumulative_power_.end(), aim);
-    const auto index = std::min(static_cast<std::uint32_t>(at - cumulative_power_.begin()), last);
-    return {index, list_[index].power / cumulative_power_.back()};
-  }
-  double sum = 0;
-  for (const Entry& entry : list_) sum += weight(entry, p);
-  double rest = u * sum;
-  std::uint32_t index = 0;
-  for (; index < last && rest >= weight(list_[index], p); ++index) rest -= weight(list_[index], p);
-  return {index, weight(list_[index], p) / sum};
-}
-
-double Emitters::probability(std::uint32_t index, const Vec3& p) const {
-  if (list_.size() > few) return list_[index].power / cumulative_power_.back();
-  double sum = 0;
-  for (const Entry& entry : list_) sum += weight(entry, p);
-  return weight(list_[index], p) / sum;
 }
 
 } // namespace rt

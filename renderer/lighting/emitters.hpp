@@ -2,6 +2,7 @@
 
 #include "renderer/compile/compiled_scene.hpp"
 #include "renderer/lighting/emitter.hpp"
+#include "renderer/lighting/light_tree.hpp"
 
 #include <optional>
 #include <unordered_map>
@@ -21,15 +22,11 @@ public:
   /// Which of them was hit.
   std::optional<std::uint32_t> find(const RayHit& hit) const;
 
-  struct Choice {
-    std::uint32_t index;
-    double probability;
-  };
-  /// Picks one for a point, for `u` that is spread evenly: few by how much light they may send there, many by their
-  /// power. There must be one.
-  Choice choose(const Vec3& p, double u) const;
+  using Choice = LightTree::Choice;
+  /// Picks one for a point, by how much light it may send there, for `u` that is spread evenly. There must be one.
+  Choice choose(const Vec3& p, double u) const { return tree_.choose(p, u); }
   /// How likely it is picked for p.
-  double probability(std::uint32_t index, const Vec3& p) const;
+  double probability(std::uint32_t index, const Vec3& p) const { return tree_.probability(index, p); }
 
 private:
   // What a hit of it carries.
@@ -50,12 +47,8 @@ private:
   };
   class Search;
 
-  // Up to this many are weighed for each point.
-  static constexpr std::size_t few = 16;
-  double weight(const Entry& entry, const Vec3& p) const;
-
   std::vector<Entry> list_;
-  std::vector<double> cumulative_power_;
+  LightTree tree_;
   std::unordered_map<Identity, std::uint32_t, IdentityHash> by_identity_;
 };
 

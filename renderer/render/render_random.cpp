@@ -203,9 +203,11 @@ bool render_random(PictureJob& job, const View& view, const RenderOptions& optio
     picture.noise.restore(options.earlier->noise_states, picture.sums);
     const std::uint32_t done = least_samples(job, picture);
     while (pass && pass->end <= done) pass = schedule.next(pass->end, 0);
+  }
+  if (!pass || options.earlier) {
     const auto make_worker = [&] { return std::make_unique<SampledBlocks>(job, picture, Pass{0, 0, true}); };
     is_complete = loop.run(make_worker, 0, 0); // for the layers
-  } else if (pass) {
+  } else {
     pass->is_first = true;
   }
   while (pass && is_complete && !picture.noise.all_rest()) {

@@ -15,7 +15,7 @@ _rtlang() {
     --stats) words='json' ;;
     --mode) words='whitted path occlusion' ;;
     --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --time | --part | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed) return ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --time | --part | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed | --noise) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace rt::tools::live {
 namespace {
@@ -34,6 +35,14 @@ std::string PictureSettings::set(std::string_view field, std::string_view text) 
     mode = static_cast<scene::Mode>(choice - choices.begin());
     return "";
   }
+  if (field == "noise") {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number) || !(number > 0))
+      return fmt::format("takes a number above 0, not `{}`", text);
+    noise = number;
+    return "";
+  }
   const bool is_size = field == "size";
   const auto numbers = is_size ? parse_numbers(text, 'x', 2) : parse_numbers(text, ',', 1);
   if (!numbers)
@@ -53,6 +62,7 @@ void PictureSettings::apply_to(scene::Scene& scene) const {
   scene.size = size.value_or(scene.size);
   if (seed) scene.seed = seed;
   if (samples) scene.samples = samples;
+  if (noise) scene.noise = noise;
   if (max_depth) scene.max_depth = max_depth;
   if (const auto problem = check(scene))
     throw SettingsError(

@@ -54,8 +54,8 @@ std::string store(const CommandOption& option, const std::string& text) {
 } // namespace
 
 std::vector<CommandOption> picture_options(live::PictureSettings& settings) {
-  return {
-      {"size", &settings}, {"mode", &settings}, {"samples", &settings}, {"seed", &settings}, {"max-depth", &settings}};
+  return {{"size", &settings},  {"mode", &settings}, {"samples", &settings},
+          {"noise", &settings}, {"seed", &settings}, {"max-depth", &settings}};
 }
 
 std::string take_options(std::vector<std::string>& words, std::span<const CommandOption> options) {

@@ -164,9 +164,10 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
         ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
   };
   add("--size", "size", "WxH", "overrides the scene's width and height");
-  add("--mode", "mode", "NAME", "whitted, or path: soft shadows and light between surfaces");
-  add("--samples", "samples", "N", "rays per pixel: a square number, any in path");
-  add("--seed", "seed", "N", "in path: another picture, as good")->group(further_options);
+  add("--mode", "mode", "NAME", "whitted, path (soft shadows, light between surfaces) or occlusion");
+  add("--samples", "samples", "N", "rays per pixel: in whitted a square number");
+  add("--noise", "noise", "N", "but in whitted: goes on until the picture is as quiet as this")->group(further_options);
+  add("--seed", "seed", "N", "but in whitted: another picture, as good")->group(further_options);
   add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
   return settings;
 }

@@ -48,7 +48,7 @@ lang::Loaded load_in_silence(const SceneArguments& arguments);
 /// them among those.
 void show_printed(const lang::Loaded& loaded, const SceneArguments& arguments);
 
-/// Adds --size, --mode, --samples, --seed and --max-depth, each checked as the scene's field is.
+/// Adds --size, --mode, --samples, --noise, --seed and --max-depth, each checked as the scene's field is.
 std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app);
 
 /// The scene as a document with these settings, with the diagnostics on standard error. Fails as `load` does.

@@ -18,11 +18,15 @@ TEST_CASE("picture settings: what is read overrides the scene's own, and nothing
   PictureSettings settings;
   CHECK(settings.set("size", "40x30") == "");
   CHECK(settings.set("max_depth", "7") == "");
+  CHECK(settings.set("noise", "0.02") == "");
+  CHECK(settings.set("noise", "0") == "takes a number above 0, not `0`");
+  CHECK(settings.set("noise", "loud") == "takes a number above 0, not `loud`");
   scene::Scene scene;
   scene.samples = 9;
   settings.apply_to(scene);
   CHECK(scene.size == scene::Resolution{40, 30});
   CHECK(scene.max_depth == 7);
+  CHECK(scene.noise == 0.02);
   CHECK(scene.samples == 9);
 }
 
@@ -32,7 +36,7 @@ TEST_CASE("picture settings: what a scene could not say is refused, and changes 
   CHECK(settings.set("size", "0x30") == "takes whole numbers from 1 to 65536, not 0");
   CHECK(settings.set("samples", "many") == "takes a whole number, not `many`");
   CHECK(settings.set("seed", "-1") == "takes whole numbers from 0 to 2147483647, not -1");
-  CHECK(settings.set("mode", "radiosity") == "takes one of whitted, path, not `radiosity`");
+  CHECK(settings.set("mode", "radiosity") == "takes one of whitted, path, occlusion, not `radiosity`");
   CHECK(settings == PictureSettings{});
 }
 

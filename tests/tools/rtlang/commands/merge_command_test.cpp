@@ -65,7 +65,8 @@ TEST_CASE("rtlang merge: what is no whole is refused, with the reason") {
   CHECK_THAT(message({"merge", "1.exr", "piece.exr", "-o", "x.png"}), Contains("different parts of the picture"));
   CHECK_THAT(message({"scene.rtl", "--part", "5/4", "-o", "x.exr"}), Contains("k-th of n"));
   CHECK_THAT(message({"scene.rtl", "--part", "1/4", "-o", "x.png"}), Contains("only an .exr can hold"));
-  CHECK_THAT(message({"scene.rtl", "--mode", "whitted", "--part", "1/4", "-o", "x.exr"}), Contains("does not go with the mode whitted"));
+  CHECK_THAT(message({"scene.rtl", "--mode", "whitted", "--part", "1/4", "-o", "x.exr"}),
+             Contains("does not go with the mode whitted"));
   CHECK_THAT(message({"scene.rtl", "--continue", "plain.exr", "-o", "x.exr"}), Contains("has no sums"));
   CHECK_THAT(message({"scene.rtl", "--continue", "1.exr", "-o", "x.exr"}), Contains("another --part"));
   desk.folder.write("scene.rtl", std::string(lit_scene) + "noise: 0.01\n");

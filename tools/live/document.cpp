@@ -17,11 +17,15 @@ const RayQuery& Document::query() {
 }
 
 Rendered Document::render(const RenderOptions& options) {
-  return rt::render(query().scene(), view_of(scene()), options);
+  return render(view_of(scene()), options);
+}
+
+Rendered Document::render(const View& view, const RenderOptions& options) {
+  return rt::render(query().scene(), view, options);
 }
 
 Rendered Document::render_whitted(const RenderOptions& options) {
-  return rt::render(query().scene(), whitted_view_of(scene()), options);
+  return render(whitted_view_of(scene()), options);
 }
 
 std::string Document::probe(const explain::Question& question, const ProbeOptions& options) {

@@ -40,6 +40,8 @@ public:
 
   /// The same bytes as a picture of the file.
   Rendered render(const RenderOptions& options);
+  /// Seen in another way.
+  Rendered render(const View& view, const RenderOptions& options);
   /// In Whitted's mode, whatever the scene says.
   Rendered render_whitted(const RenderOptions& options);
 

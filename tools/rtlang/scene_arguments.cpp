@@ -51,6 +51,17 @@ lang::Loaded load_named(const std::string& path, const lang::LoadOptions& option
   }
 }
 
+/// Another program's scene: as text of ours, whose lines are those of the file.
+lang::Loaded load_import(const import::Format& format, const SceneArguments& arguments,
+                         const lang::LoadOptions& options) {
+  import::Imported imported = format.read(read_text(arguments), shown_name(arguments), arguments.import);
+  if (!imported.has_errors()) return lang::load_text(std::move(imported.by_line), shown_name(arguments), ".", options);
+  lang::Loaded wrong;
+  wrong.diagnostics = std::move(imported.diagnostics);
+  wrong.sources = std::move(imported.sources);
+  return wrong;
+}
+
 /// Adds an option for a limit, as a quantity with powers of `thousand`.
 template <class T>
 void add_limit(CLI::App& app, const char* name, const char* type, T& limit, std::uint64_t thousand,
@@ -93,6 +104,9 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
   app.add_option("--include-root", options.include_roots, "another folder that includes may read from")
       ->type_name("DIR")
       ->allow_extra_args(false)
+      ->group(further_options);
+  app.add_flag("--lenient", arguments->import.is_lenient,
+               "takes common forms of another program's scene that its format does not have")
       ->group(further_options);
   const lang::Limits defaults;
   add_limit(app, "--max-steps", "N", options.limits.steps, 1000,
@@ -138,14 +152,24 @@ void show_printed(const lang::Loaded& loaded, const SceneArguments& arguments) {
 lang::Loaded load_in_silence(const SceneArguments& arguments) {
   lang::LoadOptions options = arguments.options;
   for (const std::string& define : arguments.defines) options.defines.push_back(split_define(define));
-  lang::Loaded loaded = arguments.path == "-"
+  const import::Format* const format = import::format_of(arguments.path);
+  lang::Loaded loaded = format ? load_import(*format, arguments, options)
+                        : arguments.path == "-"
                             ? lang::load_text(read_text(arguments), shown_name(arguments), ".", options)
                             : load_named(arguments.path, options);
   throw_if_stopped();
   return loaded;
 }
 
+void show_import_warnings(const SceneArguments& arguments) {
+  const import::Format* const format = import::format_of(arguments.path);
+  if (!format) return;
+  const import::Imported imported = format->read(read_text(arguments), shown_name(arguments), arguments.import);
+  if (!imported.has_errors() && !imported.diagnostics.empty()) show(imported.diagnostics, imported.sources, arguments);
+}
+
 lang::Loaded load(const SceneArguments& arguments) {
+  show_import_warnings(arguments);
   lang::Loaded loaded = load_in_silence(arguments);
   show_printed(loaded, arguments);
   if (arguments.json_diagnostics)

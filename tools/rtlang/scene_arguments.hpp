@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/load.hpp"
+#include "tools/import/import.hpp"
 #include "tools/live/document.hpp"
 
 #include <functional>
@@ -15,11 +16,13 @@ class App;
 
 namespace rt::tools {
 
-/// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --quiet and --diagnostics.
+/// What every subcommand that reads a scene takes: SCENE, -D, --include-root, the limits, --lenient, --quiet and
+/// --diagnostics.
 struct SceneArguments {
-  std::string path; ///< "-" is standard input
+  std::string path; ///< "-" is standard input; another program's scene by its extension
   std::vector<std::string> defines;
   lang::LoadOptions options; ///< without the defines
+  import::Options import;    ///< for another program's scene
   bool is_quiet = false;
   bool json_diagnostics = false;
 };
@@ -42,7 +45,10 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 /// without `=`, std::system_error for a scene that cannot be read.
 lang::Loaded load(const SceneArguments& arguments);
 
-/// The same, with nothing on standard error.
+/// What is taken otherwise than another program's scene says, on standard error. `load` tells it by itself.
+void show_import_warnings(const SceneArguments& arguments);
+
+/// The same as `load`, with nothing on standard error.
 lang::Loaded load_in_silence(const SceneArguments& arguments);
 /// What the scene printed, on standard error, each line with its place; nothing where diagnostics are JSON: `load` has
 /// them among those.

@@ -37,7 +37,7 @@ std::string wrapped(std::string_view text) {
 std::vector<Code> all_codes() {
   std::vector<Code> all;
   for (const auto& group : {codes::syntax(), codes::names(), codes::values(), codes::things(), codes::limits(),
-                            codes::files(), codes::expectations(), codes::lint(), codes::remarks()}) {
+                            codes::files(), codes::expectations(), codes::imports(), codes::lint(), codes::remarks()}) {
     all.insert(all.end(), group.begin(), group.end());
   }
   return all;

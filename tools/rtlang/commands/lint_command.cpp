@@ -42,6 +42,7 @@ int run_lint(LintArguments& arguments) {
   if (arguments.lists_rules) return list_rules();
   explain::require_rules(arguments.options.allowed);
   arguments.scene->options.lint = true;
+  show_import_warnings(*arguments.scene);
   lang::Loaded loaded = load_in_silence(*arguments.scene);
   std::erase_if(loaded.diagnostics, [](const lang::Diagnostic& d) { return d.severity != lang::Severity::error; });
   show(loaded.diagnostics, loaded.sources, *arguments.scene);

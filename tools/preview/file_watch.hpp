@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace rt::tools::preview {
+
+/// Notices when files are saved, however an editor does it: in place, by a new file that takes the old one's name, on a
+/// network's folder. It asks each time; so few files cost nothing.
+class FileWatch {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /// From now on these files, as they are now.
+  void follow(std::vector<std::filesystem::path> files);
+
+  /// Whether one of them has changed since this was last true. A file that is missing or empty is most likely being
+  /// written: that counts once it has stayed so for 300 ms.
+  bool has_changed(Clock::time_point now = Clock::now());
+
+private:
+  struct Stamp {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size = 0;
+    friend bool operator==(const Stamp&, const Stamp&) = default;
+  };
+  static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
+
+  struct Followed {
+    std::filesystem::path path;
+    std::optional<Stamp> stamp; ///< none: it is missing
+  };
+  std::vector<Followed> files_;
+  std::optional<Clock::time_point> gone_since_;
+};
+
+} // namespace rt::tools::preview

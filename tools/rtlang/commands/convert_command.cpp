@@ -1,0 +1,50 @@
+#include "renderer/image/file.hpp"
+#include "tools/rtlang/commands.hpp"
+#include "tools/rtlang/scene_arguments.hpp"
+#include "tools/terminal/console.hpp"
+#include "tools/terminal/exit_code.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+namespace rt::tools {
+namespace {
+
+struct ConvertArguments {
+  std::shared_ptr<SceneArguments> scene;
+  std::string output;
+};
+
+int convert(const ConvertArguments& arguments) {
+  const SceneArguments& scene = *arguments.scene;
+  const import::Format* const format = import::format_of(scene.path);
+  if (!format)
+    throw UsageError(fmt::format("`{}` is of no format that can be converted: miniRT's end in .rt", scene.path));
+  const import::Imported imported = format->read(read_text(scene), shown_name(scene), scene.import);
+  if (!imported.diagnostics.empty() || scene.json_diagnostics) show(imported.diagnostics, imported.sources, scene);
+  if (imported.has_errors()) return exit_scene_is_wrong;
+  if (arguments.output.empty() || arguments.output == "-")
+    print(imported.text);
+  else
+    replace_file(arguments.output, imported.text);
+  return exit_fine;
+}
+
+} // namespace
+
+Action declare_convert(CLI::App& app) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  app.add_option("-o,--output", arguments->output, "the scene in our language; else standard output")
+      ->type_name("FILE");
+  arguments->scene = add_text_arguments(app);
+  import::Options& options = arguments->scene->import;
+  app.add_flag("--lenient", options.is_lenient, "takes common forms that the format does not have");
+  app.add_flag("--cylinders-on-foot", options.cylinders_stand_on_foot,
+               "miniRT: a cylinder's point is its foot, not its middle");
+  app.footer("Every command takes such a file directly too: `rtlang scene.rt -o out.png`.");
+  return [arguments] { return convert(*arguments); };
+}
+
+} // namespace rt::tools

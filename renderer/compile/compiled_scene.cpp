@@ -64,7 +64,8 @@ Color through(std::vector<ShadowAttenuation>& attenuations) {
 
 CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builder builder, HitRules rules)
     : device_(std::make_shared<bvh::Device>(threads, builder)), background_(scene.background), ambient_(scene.ambient),
-      max_depth_(scene::depth_limit(scene)), reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
+      max_depth_(scene::depth_limit(scene)), min_weight_(scene::min_weight(scene)),
+      reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
   const auto bindings = std::make_shared<MaterialBindings>(validated(scene));
   bindings_ = bindings;
   objects_ = compile(scene, scene.objects, *device_, *bindings, {}, {}, rules);
@@ -75,7 +76,7 @@ CompiledScene::CompiledScene(const scene::Scene& scene, int threads, bvh::Builde
 
 CompiledScene::CompiledScene(const scene::Scene& scene, std::span<const Part> parts, CompileCache& cache)
     : background_(scene.background), ambient_(scene.ambient), max_depth_(scene::depth_limit(scene)),
-      reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
+      min_weight_(scene::min_weight(scene)), reach_(scene.reach.value_or(std::numeric_limits<double>::max())) {
   objects_ = cache.compile(scene, parts);
   device_ = cache.device_;
   bindings_ = cache.bindings_;

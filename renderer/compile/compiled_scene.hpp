@@ -112,6 +112,7 @@ public:
   int max_depth() const { return max_depth_; }
   /// How far away something blocks in `scene::Mode::occlusion`.
   double reach() const { return reach_; }
+  double min_weight() const { return min_weight_; }
 
 private:
   void add_lights(const scene::Scene& scene);
@@ -126,6 +127,7 @@ private:
   std::optional<SkyEmitter> sky_;
   Color background_, ambient_;
   int max_depth_;
+  double min_weight_;
   double reach_;
   bool absorbs_ = false;
 };

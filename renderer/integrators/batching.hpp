@@ -58,6 +58,9 @@ private:
   static constexpr int deepest_batch = 8;
   // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
   static constexpr int max_crossings = 1 << 20;
+  // With smaller parts weaker branches are followed, with larger ones too little is left for the last: this is
+  // cheapest.
+  static constexpr double most_at_once = 0.25;
 
   // Rays that leave a batch's surfaces in the same way, and where each comes from.
   template <std::size_t Size>
@@ -69,10 +72,10 @@ private:
   template <std::size_t Size>
   void start(StaticVector<PathState, Size>& paths, const Ray& ray, const std::vector<Medium>& inside) {
     ++counts_.camera;
-    MediumStacks& media = stacks_[paths.size()];
-    Contacts& contacts = contacts_[paths.size()];
-    media.release(0);
-    paths.add([&] { return PathState{RayKind::camera, ray, media.make(inside), &media, 0, &contacts}; });
+    RayTree& tree = trees_[paths.size()];
+    tree.media.release(0);
+    tree.allowance = Rules::min_weight(scene_) * allowance_at_black;
+    paths.add([&] { return PathState{RayKind::camera, ray, tree.media.make(inside), &tree}; });
   }
 
   // Gathers what comes in along the paths, which are of one depth.
@@ -80,14 +83,14 @@ private:
   void trace(std::span<PathState> paths, int depth) {
     for (PathState& path : paths) {
       model_.begin(path, depth);
-      path.owned_from = path.media->mark();
+      path.owned_from = path.tree->media.mark();
     }
     if (depth > scene_.max_depth())
       for (std::size_t i = 0; i < paths.size(); ++i) model_.cut_off();
     else
       follow<Size>(paths, depth);
     for (PathState& path : paths) {
-      path.media->release(path.owned_from);
+      path.tree->media.release(path.owned_from);
       model_.end(path);
     }
   }
@@ -156,7 +159,7 @@ private:
   // The next of touching surfaces that the path is among; or what it meets at a hit that is contested.
   template <std::size_t Size>
   [[gnu::noinline]] void meet_touching(PathState& path, RayHit hit, StaticVector<Interaction, Size>& interactions) {
-    Contacts& contacts = *path.contacts;
+    Contacts& contacts = path.tree->contacts;
     const bool has_come = !is_in_contact(&path);
     for (Interval rest = Rules::hit_range(); !is_in_contact(&path);) {
       if (!hit.is_contested) absorb(path, hit.t);
@@ -165,7 +168,7 @@ private:
         return arrive(
             path, hit, [&] { return scene_.surface(path.ray, hit); }, interactions);
       path.contact =
-          contacts.meet(scene_, path.ray, rest, hit, path.inside, *path.media, path.contacts_from, scratch_[0]);
+          contacts.meet(scene_, path.ray, rest, hit, path.inside, path.tree->media, path.contacts_from, scratch_[0]);
       if (is_in_contact(&path)) {
         model_.touch(contacts);
       } else {
@@ -203,7 +206,7 @@ private:
       if (light.shadows) cast_shadows(interactions, direct, is_together);
       for (std::size_t i = 0; i < interactions.size(); ++i) model_.add_direct_light(interactions[i], direct[i], index);
     }
-    for (const Interaction& at : interactions) at.path->sum += at.path->passed * at.light;
+    for (const Interaction& at : interactions) model_.gather(*at.path, at.light);
   }
 
   template <std::size_t Size>
@@ -226,7 +229,7 @@ private:
     for (std::size_t i = 0; i < interactions.size(); ++i) {
       const PathState& path = *interactions[i].path;
       if (is_in_contact(&path)) [[unlikely]]
-        direct[i].transmittance *= path.contacts->transmittance(scene_, path.contact, direct[i].sample.to_light);
+        direct[i].transmittance *= path.tree->contacts.transmittance(scene_, path.contact, direct[i].sample.to_light);
     }
   }
 
@@ -242,7 +245,7 @@ private:
 
     RayBatch<Size> mirrored;
     for (const Scattering& s : scatterings)
-      if (s.terms.rho != black) mirror(s, mirrored);
+      if (s.terms.rho != black && (s.terms.is_total || is_followed(s, s.terms.rho))) mirror(s, mirrored);
     trace_batch(mirrored, is_together, depth + 1);
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
       const Scattering& s = *mirrored.from[i];
@@ -252,13 +255,25 @@ private:
     RayBatch<Size> refracted;
     std::size_t count = 0;
     for (const Scattering& s : scatterings)
-      if (model_.transmits(s) && transmit(s, depth, refracted)) going[count++] = s.at->path;
+      if (model_.transmits(s) && is_followed(s, s.terms.tau) && transmit(s, depth, refracted))
+        going[count++] = s.at->path;
     trace_batch(refracted, is_together, depth + 1);
     for (std::size_t i = 0; i < refracted.paths.size(); ++i) {
       const Scattering& s = *refracted.from[i];
       s.at->path->sum += s.at->path->passed * s.terms.tau * refracted.paths[i].sum;
     }
     return count;
+  }
+
+  // Whether a branch is followed: not, where its weight is a small part of what may still be missing, so that something
+  // is left for others. (What is totally reflected is no branch, but the ray itself.)
+  bool is_followed(const Scattering& s, const Color& share) {
+    const PathState& path = *s.at->path;
+    const double weight = max_component(path.weight * path.passed * share);
+    if (!(weight < path.tree->allowance * most_at_once)) return true;
+    path.tree->allowance -= weight;
+    model_.prune(weight);
+    return false;
   }
 
   template <std::size_t Size>
@@ -290,7 +305,7 @@ private:
     if (is_in_contact(&path)) [[unlikely]]
       return transmit_in_contact(s, depth, batch);
     const MediumStacks::List behind =
-        s.is_thin ? path.inside : path.media->after(path.inside, s.medium, path.owned_from);
+        s.is_thin ? path.inside : path.tree->media.after(path.inside, s.medium, path.owned_from);
     if (!s.terms.is_bent) return model_.transmit_straight(s, behind, depth);
     add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
     return false;
@@ -299,15 +314,15 @@ private:
   template <std::size_t Size>
   [[gnu::noinline]] bool transmit_in_contact(const Scattering& s, int depth, RayBatch<Size>& batch) {
     PathState& path = *s.at->path;
-    const MediumStacks::List behind = path.contacts->behind(path.contact);
+    const MediumStacks::List behind = path.tree->contacts.behind(path.contact);
     if (s.terms.is_bent) {
       add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
       return false;
     }
     if (!model_.transmit_straight(s, behind, depth)) return false;
     const Contacts::Position met = path.contact;
-    path.contact = path.contacts->after(met, path.ray.direction);
-    if (!is_in_contact(&path)) path.inside = path.contacts->leave(met, behind, *path.media, path.owned_from);
+    path.contact = path.tree->contacts.after(met, path.ray.direction);
+    if (!is_in_contact(&path)) path.inside = path.tree->contacts.leave(met, behind, path.tree->media, path.owned_from);
     return true;
   }
 
@@ -316,20 +331,19 @@ private:
                   MediumStacks::List inside) {
     const PathState& from = *s.at->path;
     batch.from[batch.paths.size()] = &s;
-    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.media, 0, from.contacts}; });
+    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.tree}; });
     path.contacts_from = from.contacts_from;
     if (is_in_contact(&from)) [[unlikely]] {
-      path.contact = from.contacts->after(from.contact, ray.direction);
+      path.contact = from.tree->contacts.after(from.contact, ray.direction);
       path.contacts_from = from.contact.begin + from.contact.count;
     }
-    if constexpr (Model::is_recorded) path.weight = from.weight * from.passed * weight;
+    path.weight = from.weight * from.passed * weight;
   }
 
   const CompiledScene& scene_;
   Model model_;
   const std::atomic<bool>* stop_;
-  std::array<MediumStacks, camera_batch_size> stacks_; // by the place of the camera's ray in its batch
-  std::array<Contacts, camera_batch_size> contacts_;
+  std::array<RayTree, camera_batch_size> trees_; // by the place of the camera's ray in its batch
   std::array<TraceScratch, camera_batch_size> scratch_;
   std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; they serve until rays branch
   RayCounts counts_;

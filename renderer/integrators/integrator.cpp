@@ -12,6 +12,8 @@ std::unique_ptr<const Integrator> make_integrator(IntegratorKind kind, const Com
   switch (kind) {
   case IntegratorKind::whitted:
     return make_whitted(scene);
+  case IntegratorKind::whitted_exported:
+    return make_whitted_exported(scene);
   case IntegratorKind::path:
     return make_path(scene);
   case IntegratorKind::occlusion:

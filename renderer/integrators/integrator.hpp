@@ -37,7 +37,8 @@ enum class IntegratorKind {
   whitted,
   path,
   occlusion,
-  whitted_povray ///< under POV-Ray's rules, for explaining where its pictures differ
+  whitted_exported, ///< in what an export to POV-Ray can say, for comparing with its pictures
+  whitted_povray    ///< under POV-Ray's rules, for explaining where its pictures differ
 };
 
 /// The scene must outlive the integrator, and that its workers.

@@ -4,21 +4,38 @@
 #include "renderer/integrators/recorder.hpp"
 #include "renderer/shading/whitted_bsdf.hpp"
 
+#include <algorithm>
+
 namespace rt {
+
+/// What the rays share that follow from one ray of the camera's.
+struct RayTree {
+  MediumStacks media;
+  Contacts contacts;
+  double allowance = 0; ///< what further branches may weigh together and not be followed
+};
+
+/// By how much light may differ before its sRGB value differs by more than one part: 0.07 + 2.2 L in parts as small as
+/// `min_weight`. That is a line below the slope of sRGB's curve (IEC 61966-2-1), which is 1/12.92 at black and 2.275 at
+/// white; being a line, it holds for the sum of what several rays bring, and for the mean of a pixel's samples.
+inline constexpr double allowance_at_black = 0.07;
+/// What light adds to that.
+inline double allowance_for(const Color& light) {
+  return 2.2 * std::min({light.r, light.g, light.b});
+}
 
 /// A ray on its way, and what it has gathered.
 struct PathState {
   RayKind kind;
   Ray ray;
-  MediumStacks::List inside;    ///< the solids that the ray is inside of
-  MediumStacks* media;          ///< where that list is
-  std::uint32_t owned_from = 0; ///< lists from there on are this ray's own
-  Contacts* contacts;
+  MediumStacks::List inside; ///< the solids that the ray is inside of, a list in the tree's media
+  RayTree* tree;
+  std::uint32_t owned_from = 0;    ///< lists from there on are this ray's own
   Contacts::Position contact{};    ///< where it is among surfaces that touch
   std::uint32_t contacts_from = 0; ///< surfaces stored from there on are not needed by those it comes from
   Color sum = black;
   Color passed = white; ///< what surfaces that were crossed unbent let by
-  Color weight = white; ///< of its light in the camera ray's; for recorders only
+  Color weight = white; ///< of its light in the camera ray's
 };
 
 /// A ray has met a surface.
@@ -27,8 +44,8 @@ struct Interaction {
   double t;
   Surface surface;
   WhittedBsdf bsdf{};
-  Vec3 normal{};     ///< the shading normal, turned to the viewer
-  double cosine = 0; ///< between the ray and the normal, positive
+  Vec3 normal{};     ///< the shading normal, turned to the viewer's side of the surface
+  double cosine = 0; ///< between the ray and the normal for what is mirrored and refracted, not negative
   Color light{};     ///< what leaves the surface towards the viewer by itself
 };
 

@@ -35,11 +35,29 @@ struct OwnRules {
       scene.transmittance(rays, scratch);
   }
 
+  /// The shading normal turned to the viewer of a ray that comes in this direction: as the surface itself is turned, so
+  /// that an interpolated normal is lit from one side all over the surface, even where it faces away beyond a rim.
+  static Vec3 turned_normal(const Surface& surface, const Vec3& direction) {
+    return dot(surface.geometric_normal, direction) > 0 ? -surface.shading_normal : surface.shading_normal;
+  }
+
+  /// What weak rays that are not followed may weigh together.
+  static double min_weight(const CompiledScene& scene) { return scene.min_weight(); }
+
   /// Surfaces that touch are one event.
   static constexpr bool joins_touching = true;
 
   /// How the ratio of two indices is rounded: not at all.
   static double eta(double ratio, bool /*touches_void*/) { return ratio; }
+};
+
+/// Ours in what an export can say: for comparing pictures with POV-Ray's. Every ray is followed, and interpolated
+/// normals are turned as POV-Ray does.
+struct ExportedRules : OwnRules {
+  static Vec3 turned_normal(const Surface& surface, const Vec3& direction) {
+    return dot(surface.shading_normal, direction) > 0 ? -surface.shading_normal : surface.shading_normal;
+  }
+  static double min_weight(const CompiledScene&) { return 0; }
 };
 
 /// POV-Ray's, for explaining where its pictures differ from ours. Its distances are in lengths of the scene.
@@ -57,6 +75,11 @@ struct PovrayRules {
     for (const ShadowRay& ray : rays)
       *ray.transmittance = scene.transmittance_by_steps(ray.ray, ray.range.upper, ray.range.lower);
   }
+
+  static Vec3 turned_normal(const Surface& surface, const Vec3& direction) {
+    return ExportedRules::turned_normal(surface, direction);
+  }
+  static double min_weight(const CompiledScene&) { return 0; }
 
   /// Of surfaces that touch, rounding decides which a ray meets, and it misses those that it starts on.
   static constexpr bool joins_touching = false;

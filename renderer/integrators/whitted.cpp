@@ -37,6 +37,10 @@ std::unique_ptr<const Integrator> make_whitted(const CompiledScene& scene) {
   return std::make_unique<WhittedIntegrator<OwnRules>>(scene);
 }
 
+std::unique_ptr<const Integrator> make_whitted_exported(const CompiledScene& scene) {
+  return std::make_unique<WhittedIntegrator<ExportedRules>>(scene);
+}
+
 std::unique_ptr<const Integrator> make_whitted_povray(const CompiledScene& scene) {
   return std::make_unique<WhittedIntegrator<PovrayRules>>(scene);
 }

@@ -24,20 +24,31 @@ public:
 
   /// The path is not followed any further.
   void cut_off() { recorder_.too_deep(); }
+  /// A branch of this weight is not followed.
+  void prune(double weight) { recorder_.too_weak(weight); }
 
   void escape(PathState& path) {
     const Color seen = scene_.environment(path.ray.direction);
     recorder_.miss(seen);
-    path.sum += path.passed * seen;
+    gather(path, seen);
+  }
+
+  /// Light comes in along the path.
+  void gather(PathState& path, const Color& light) const {
+    const Color passed = path.passed * light;
+    path.sum += passed;
+    path.tree->allowance += Rules::min_weight(scene_) * allowance_for(path.weight * passed);
   }
 
   /// The path has hit `at.surface`, where the material has these values.
   void arrive(Interaction& at, const RayHit& hit, const MaterialValues& values) {
     at.bsdf = WhittedBsdf(values);
-    const double approach = dot(at.surface.shading_normal, at.path->ray.direction);
-    at.normal = approach > 0 ? -at.surface.shading_normal : at.surface.shading_normal;
-    at.cosine = std::abs(approach);
-    recorder_.contact(*at.path->contacts, at.path->contact);
+    const Vec3& direction = at.path->ray.direction;
+    at.normal = Rules::turned_normal(at.surface, direction);
+    at.cosine = -dot(at.normal, direction);
+    if (at.cosine < 0) [[unlikely]]
+      at.cosine = -dot(specular_normal(at), direction);
+    recorder_.contact(at.path->tree->contacts, at.path->contact);
     recorder_.surface(hit, at.surface, values, at.normal);
   }
 
@@ -46,7 +57,7 @@ public:
 
   /// The path has come this far through what is inside of it.
   void absorb(PathState& path, double length) {
-    const Medium* medium = path.media->top(path.inside);
+    const Medium* medium = path.tree->media.top(path.inside);
     if (!medium || scene_.absorption(*medium).is_clear()) return;
     const Color left = scene_.absorption(*medium).left_after(length);
     recorder_.absorption(left, length);
@@ -79,7 +90,7 @@ public:
   /// Of a scattering one.
   Scattering scatter(const Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
-    const MediumStacks& media = *at.path->media;
+    const MediumStacks& media = at.path->tree->media;
     const MediumStacks::List inside = at.path->inside;
     Scattering s{&at, {at.surface.order, at.surface.ior, at.surface.medium_material_id}};
     s.is_thin = v.thin;
@@ -87,7 +98,7 @@ public:
     if (at.bsdf.is_transparent() && v.thin) {
       s.transition = {MediumTransition::Kind::through_sheet, media.top_ior(inside), media.top_ior(inside)};
     } else if (at.path->contact.is_inside()) {
-      s.transition = at.path->contacts->transition(at.path->contact, media);
+      s.transition = at.path->tree->contacts.transition(at.path->contact, media);
       s.eta = s.transition.eta();
       fresnel_eta = 1 / s.eta;
     } else if (at.bsdf.is_transparent()) {
@@ -107,7 +118,7 @@ public:
   Ray mirror(const Scattering& s) {
     const Interaction& at = *s.at;
     if (s.terms.is_total) recorder_.total_reflection(s.transition, at.cosine);
-    return Rules::leave(at.surface, reflect(at.path->ray.direction, at.normal));
+    return Rules::leave(at.surface, reflect(at.path->ray.direction, specular_normal(at)));
   }
 
   /// Whether light comes through: if so, the ray that fetches it is the next to be followed.
@@ -120,7 +131,8 @@ public:
 
   static Ray refracted(const Scattering& s) {
     const Interaction& at = *s.at;
-    return Rules::leave(at.surface, refract(at.path->ray.direction, at.normal, s.eta, at.cosine, s.terms.cos_behind));
+    return Rules::leave(at.surface,
+                        refract(at.path->ray.direction, specular_normal(at), s.eta, at.cosine, s.terms.cos_behind));
   }
 
   /// The path goes on unbent, inside of `behind`. It is no deeper than before, but there must be one step to spare: so
@@ -138,6 +150,21 @@ public:
   }
 
 private:
+  // The normal for what is mirrored and refracted. One that faces away from the viewer mirrors nothing: it is bent
+  // until the mirrored ray just leaves the surface (A. Keller et al., The Iray Light Transport Simulation and Rendering
+  // System, 2017, A.3).
+  static Vec3 specular_normal(const Interaction& at) {
+    const Vec3 &n = at.surface.geometric_normal, &direction = at.path->ray.direction;
+    if (dot(at.normal, direction) <= 0) [[likely]]
+      return at.normal;
+    const Vec3 mirrored = reflect(direction, at.normal);
+    const Vec3 viewed = dot(n, direction) > 0 ? -n : n;
+    const Vec3 along = mirrored + viewed * std::max(0.0, 0x1p-20 - dot(mirrored, viewed));
+    const Vec3 bent = normalize(along) - direction;
+    const double size = length(bent);
+    return size > 0 ? bent / size : viewed;
+  }
+
   static bool touches_void(const MediumTransition& transition, MediumStacks::List inside) {
     return inside.size == 0 || (transition.kind == MediumTransition::Kind::leaving && inside.size == 1);
   }
@@ -151,6 +178,7 @@ template <class Rules = OwnRules, class Recorder = NoRecorder>
 using Whitted = BatchTracer<WhittedModel<Rules, Recorder>>;
 
 std::unique_ptr<const Integrator> make_whitted(const CompiledScene& scene);
+std::unique_ptr<const Integrator> make_whitted_exported(const CompiledScene& scene);
 std::unique_ptr<const Integrator> make_whitted_povray(const CompiledScene& scene);
 
 } // namespace rt

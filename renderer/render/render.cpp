@@ -86,7 +86,7 @@ Rendered render(const CompiledScene& scene, const View& view, const RenderOption
     return result;
   }
   result.film.tone_mapping = view.tone_mapping;
-  PictureJob job(scene, view, kind_of(view.mode), options, rect, result.film);
+  PictureJob job(scene, view, is_random ? kind_of(view.mode) : options.integrator, options, rect, result.film);
   result.statistics.samples = view.samples;
   result.is_complete =
       is_random ? render_random(job, view, options, loop, result.statistics) : render_whitted(job, view, loop);

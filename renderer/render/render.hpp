@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/integrators/ray_counts.hpp"
+#include "renderer/integrators/integrator.hpp"
 #include "renderer/render/film.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -36,6 +36,7 @@ struct RenderOptions {
   SamplePart part = {};             ///< with random samples
   bool sums = false;                ///< with random samples: the film keeps its sums
   const Film* earlier = nullptr;    ///< with random samples: with sums of the same part, which go on to be added to
+  IntegratorKind integrator = IntegratorKind::whitted; ///< in Whitted's mode
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
   std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
   /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and

@@ -128,6 +128,7 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Constraint pixels{.min = 1, .max = 65536, .is_whole = true};
   static constexpr Constraint depth{.min = 0, .max = 1000, .is_whole = true};
   static constexpr Constraint count{.min = 1, .max = most_samples, .is_whole = true};
+  static constexpr Constraint share{.min = 0, .max = 1};
   static constexpr Constraint number{.min = 0, .max = std::numeric_limits<int>::max(), .is_whole = true};
   static constexpr std::string_view modes[] = {"whitted", "path", "occlusion"};
   static constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris"};
@@ -153,6 +154,10 @@ std::span<const Field> fields(const Scene*) {
                                        .help = "in path: how pixels overlap (box: not at all)",
                                        .choices = filters}),
       field<&Scene::reach>("reach", {"infinite", "in occlusion: how far away something still blocks", positive}),
+      field<&Scene::min_weight>("min_weight", {"0.001953125",
+                                               "in whitted: how far weak rays that are not followed may move a pixel "
+                                               "together, of white",
+                                               share}),
       field<&Scene::exposure>("exposure", {"0", "stops by which pictures of 8 and 16 bits are brighter", stops}),
       field<&Scene::tone>("tone", {"clip", "what is too bright for them: clip makes it white, filmic rolls it off",
                                    any_value, 0, std::nullopt, tone_choices}),
@@ -171,6 +176,10 @@ int depth_limit(const Settings& settings) {
 
 int whitted_samples(const Settings& settings) {
   return settings.is_random() ? 1 : sample_count(settings);
+}
+
+double min_weight(const Settings& settings) {
+  return settings.min_weight.value_or(0x1p-9);
 }
 
 ToneMapping tone_mapping(const Scene& scene) {

@@ -36,6 +36,7 @@ struct Settings {
   std::optional<double> reach;       ///< in `Mode::occlusion`: infinite
   std::optional<double> exposure;    ///< stops
   std::optional<Tone> tone;
+  std::optional<double> min_weight;
 
   /// Whether paths are followed, and not Whitted's formula.
   bool is_path() const { return mode == Mode::path; }
@@ -61,6 +62,10 @@ struct Scene : Settings {
 
 /// The side n of the grid of n × n samples in a pixel; nothing where `samples` is no square number.
 std::optional<int> sample_grid(int samples);
+
+/// How far weak rays that are not followed may move a pixel together, of white, in Whitted's mode: half a step of 8
+/// bits if nothing is written.
+double min_weight(const Settings&);
 
 inline constexpr int most_samples = 65536;
 

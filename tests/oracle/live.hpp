@@ -33,6 +33,7 @@ inline Film film_of(const scene::Scene& scene) {
   RenderOptions options;
   options.threads = 1;
   options.layers = true;
+  options.integrator = IntegratorKind::whitted_exported;
   return render(scene, options).film;
 }
 

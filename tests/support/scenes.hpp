@@ -23,12 +23,12 @@ private:
   scene::Object object_;
 };
 
-/// A scene that grows by what is asked of it. There is no ambient light.
+/// A scene that grows by what is asked of it. There is no ambient light, and every ray is followed.
 class SceneBuilder : public scene::Builder {
 public:
   using Operation = scene::Combination::Operation;
 
-  SceneBuilder() { scene.ambient = black; }
+  SceneBuilder() { scene.ambient = black, scene.min_weight = 0; }
 
   template <class S>
   Thing shape(S s) {

@@ -28,6 +28,14 @@ std::string check_field(std::string_view name, const std::vector<int>& numbers) 
 } // namespace
 
 std::string PictureSettings::set(std::string_view field, std::string_view text) {
+  if (field == "min_weight") {
+    double number = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || rest != text.data() + text.size() || !(number >= 0 && number <= 1))
+      return fmt::format("takes a number from 0 to 1, not `{}`", text);
+    min_weight = number;
+    return "";
+  }
   if (field == "mode") {
     const auto choices = field_of(field).choices;
     const auto choice = std::find(choices.begin(), choices.end(), text);
@@ -60,6 +68,7 @@ void PictureSettings::apply_to(scene::Scene& scene) const {
   if (mode && *mode != scene.mode.value_or(scene::Mode::whitted)) scene.samples = scene.max_depth = std::nullopt;
   if (mode) scene.mode = mode;
   scene.size = size.value_or(scene.size);
+  if (min_weight) scene.min_weight = min_weight;
   if (seed) scene.seed = seed;
   if (samples) scene.samples = samples;
   if (noise) scene.noise = noise;

@@ -19,11 +19,12 @@ struct SettingsError : std::runtime_error {
 struct PictureSettings {
   std::optional<scene::Resolution> size = {};
   std::optional<int> samples = {}, max_depth = {}, seed = {};
+  std::optional<double> min_weight = {};
   std::optional<scene::Mode> mode = {};
   std::optional<double> noise = {};
 
-  /// Reads one of them, named like the scene's field: "800x600" for `size`, "path" for `mode`, "0.01" for `noise`, "16"
-  /// for the others.
+  /// Reads one of them, named like the scene's field: "800x600" for `size`, "path" for `mode`, "0.01" for `noise` and
+  /// `min_weight`, "16" for the others.
   /// Returns what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), "" if it was set.
   std::string set(std::string_view field, std::string_view text);
   /// Where the mode becomes another, `samples` and `max_depth` of the scene, which were written for its own, count no

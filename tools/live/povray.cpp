@@ -57,6 +57,7 @@ std::unique_ptr<const Check> check(Document& document, const CheckOptions& optio
   });
   RenderOptions ours;
   ours.layers = true;
+  ours.integrator = IntegratorKind::whitted_exported;
   ours.stop = options.stop;
   ours.on_progress = options.on_progress;
   check->film = document.render_whitted(ours).film;

@@ -71,6 +71,7 @@ private:
     RenderOptions options;
     options.threads = 1;
     options.layers = true;
+    options.integrator = IntegratorKind::whitted_exported;
     const Film film = render(scene, options).film;
     povray::ShootOptions shoot;
     shoot.at_once = at_once;

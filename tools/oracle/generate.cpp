@@ -183,10 +183,10 @@ void add_settings(Dice& dice, Block& file) {
   if (dice.chance(0.7)) file.set("ambient", dice.chance(0.5) ? text(dice.between(0, 0.4)) : color(dice));
   if (dice.chance(0.6)) file.set("max_depth", std::to_string(dice.below(9)));
   if (dice.chance(0.08)) file.set("samples", dice.chance(0.5) ? "4" : "9");
-  // What changes nothing in this mode, or in a linear picture.
+  // What changes nothing in this mode, in a linear picture, or where every ray is followed.
   if (dice.chance(0.1)) file.set("mode", "whitted");
   if (dice.chance(0.1)) file.set("noise", "0.01").set("seed", "7").set("filter", "gaussian").set("reach", "2");
-  if (dice.chance(0.1)) file.set("exposure", text(dice.between(-2, 2))).set("tone", "filmic");
+  if (dice.chance(0.1)) file.set("exposure", text(dice.between(-2, 2))).set("tone", "filmic").set("min_weight", "0.1");
 }
 
 Block random_sky(Dice& dice) {

@@ -56,6 +56,7 @@ Film rendered(const scene::Scene& scene) {
   RenderOptions options;
   options.threads = 1;
   options.layers = true;
+  options.integrator = IntegratorKind::whitted_exported;
   return render(scene, options).film;
 }
 
@@ -64,7 +65,7 @@ Film rendered(const scene::Scene& scene) {
 std::string export_hash(const scene::Scene& scene) {
   Hash hash;
   for (const povray::Pass pass : {povray::Pass::color, povray::Pass::ids, povray::Pass::depth})
-    hash.add(povray::export_povray(scene, {.pass = pass, .comments = false}).text);
+    hash.add(povray::export_povray(scene, {.pass = pass, .comments = false, .follows_every_ray = true}).text);
   return fmt::format("{:016x}", hash.value());
 }
 

@@ -19,7 +19,7 @@ std::string unknown_option(std::string_view name, std::span<const CommandOption>
 }
 
 std::string set(live::PictureSettings& settings, std::string_view option, const std::string& text) {
-  return settings.set(option == "max-depth" ? "max_depth" : option, text);
+  return settings.set(option == "max-depth" ? "max_depth" : option == "min-weight" ? "min_weight" : option, text);
 }
 
 // Returns what is wrong with the value, as PictureSettings::set does.
@@ -54,8 +54,8 @@ std::string store(const CommandOption& option, const std::string& text) {
 } // namespace
 
 std::vector<CommandOption> picture_options(live::PictureSettings& settings) {
-  return {{"size", &settings},  {"mode", &settings}, {"samples", &settings},
-          {"noise", &settings}, {"seed", &settings}, {"max-depth", &settings}};
+  return {{"size", &settings}, {"mode", &settings},      {"samples", &settings},   {"noise", &settings},
+          {"seed", &settings}, {"max-depth", &settings}, {"min-weight", &settings}};
 }
 
 std::string take_options(std::vector<std::string>& words, std::span<const CommandOption> options) {

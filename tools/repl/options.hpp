@@ -21,7 +21,7 @@ struct CommandOption {
   int count = 1; ///< how many words follow; more than one for several texts only
 };
 
-/// --size, --mode, --samples, --noise, --seed and --max-depth.
+/// --size, --mode, --samples, --noise, --seed, --max-depth and --min-weight.
 std::vector<CommandOption> picture_options(live::PictureSettings& settings);
 
 /// Takes the options out of the words; the others stay. Returns what is wrong, "" if nothing is.

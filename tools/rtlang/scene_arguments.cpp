@@ -193,6 +193,7 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
   add("--noise", "noise", "N", "but in whitted: goes on until the picture is as quiet as this")->group(further_options);
   add("--seed", "seed", "N", "but in whitted: another picture, as good")->group(further_options);
   add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
+  add("--min-weight", "min_weight", "W", "how far weak rays that are left out may move a pixel, of white; 0: none is");
   return settings;
 }
 

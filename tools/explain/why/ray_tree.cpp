@@ -46,6 +46,12 @@ public:
     if (is_expanded()) open_.back()->end = RayNode::End::too_deep;
   }
 
+  void too_weak(double weight) {
+    if (!is_expanded()) return;
+    SurfaceNode& s = last();
+    (s.transition ? s.transition->left_out : s.mirror->left_out) = weight;
+  }
+
   void touching(const std::vector<MetSurface>& met) {
     if (!is_expanded() || met.size() < 2) return;
     for (const MetSurface& m : met) touching_.push_back(scene_.path(m.hit));
@@ -87,13 +93,13 @@ public:
   }
 
   void reflection(const Color& rho, double reflectance, double cosine, double eta) {
-    if (is_expanded()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, nullptr};
+    if (is_expanded()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, 0, nullptr};
   }
 
   void refraction(const Color& tau, const MediumTransition& transition, double cosine, double cosine_behind) {
     if (!is_expanded()) return;
     SurfaceNode& s = last();
-    s.transition = PassageNode{tau, transition, cosine, cosine_behind, nullptr};
+    s.transition = PassageNode{tau, transition, cosine, cosine_behind, 0, nullptr};
     // Needed only if the ray goes on unbent.
     next_ = OwnRules::leave(s.surface, s.ray.direction);
     passed_.back() = s.passed * tau;

@@ -31,7 +31,8 @@ struct MirrorNode {
   double reflectance = 1;       ///< Fresnel's, or 1 where it is not asked for
   double cosine = 0;            ///< of the ray's angle with the normal
   double eta = 1;               ///< ior of the other side by that of this one, where Fresnel's is asked for
-  std::unique_ptr<RayNode> ray; ///< none where ρ is black
+  double left_out = 0;          ///< the weight of the ray in the camera's, where `min_weight` says not to follow it
+  std::unique_ptr<RayNode> ray; ///< none where ρ is black, or it is left out
 };
 
 /// The refracted branch.
@@ -39,6 +40,7 @@ struct PassageNode {
   Color tau;
   MediumTransition transition;
   double cosine = 0, cosine_behind = 0; ///< of the angles with the normal, before and behind the surface
+  double left_out = 0;                  ///< as above
   std::unique_ptr<RayNode> ray; ///< none where τ is black, or the ray goes on unbent: then the next surface is its own
 };
 

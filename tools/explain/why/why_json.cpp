@@ -145,6 +145,7 @@ private:
            {"angle", degrees(node.cosine)},
            {"fresnel", node.reflectance},
            {"eta", node.eta}};
+    if (node.left_out > 0) j["left_out"] = node.left_out;
     if (node.ray) j["ray"] = ray(*node.ray);
     return j;
   }
@@ -154,6 +155,7 @@ private:
            {"passage", passage_json(node.transition)},
            {"angle", degrees(node.cosine)},
            {"angle_behind", degrees(node.cosine_behind)}};
+    if (node.left_out > 0) j["left_out"] = node.left_out;
     if (node.ray) j["ray"] = ray(*node.ray);
     return j;
   }

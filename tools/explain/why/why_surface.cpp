@@ -241,6 +241,15 @@ void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int i
                                                                     color_text(s.passed * s.shading()))));
 }
 
+namespace {
+
+std::string left_out_text(const Answer& answer, double weight) {
+  return fmt::format("not followed: its weight is {} of white, and min_weight {} leaves out what changes so little",
+                     number_text(weight), number_text(scene::min_weight(answer.scene)));
+}
+
+} // namespace
+
 void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   const MirrorNode& mirror = *s.mirror;
   const MaterialValues& m = s.material;
@@ -261,7 +270,10 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
     page.line(indent + 2,
               fmt::format("metallic {}: M = {}, reflect = {}", number_text(m.metallic),
                           color_text(metallic_tint(m.metallic, mirror.cosine, m.color)), color_text(m.reflect)));
-  if (!mirror.ray) page.line(indent + 2, "nothing is mirrored at weight 0");
+  if (mirror.left_out > 0)
+    page.line(indent + 2, left_out_text(answer, mirror.left_out));
+  else if (!mirror.ray)
+    page.line(indent + 2, "nothing is mirrored at weight 0");
 }
 
 namespace {
@@ -301,9 +313,13 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
     page.line(indent + 2, fmt::format("Snell: sin θ₂ = (n₁/n₂)·sin θ₁ = {}·{} = {}: {} becomes {}", number_text(eta),
                                       number_text(sine(p.cosine)), number_text(sine(p.cosine_behind)),
                                       angle_text(p.cosine), angle_text(p.cosine_behind)));
-    if (!p.ray) page.line(indent + 2, "nothing is refracted at weight 0");
+    if (p.left_out > 0)
+      page.line(indent + 2, left_out_text(answer, p.left_out));
+    else if (!p.ray)
+      page.line(indent + 2, "nothing is refracted at weight 0");
     return;
   }
+  if (p.left_out > 0) return page.line(indent + 2, left_out_text(answer, p.left_out));
   page.line(indent + 2,
             p.tau == black ? "nothing is refracted at weight 0"
             : s.material.thin

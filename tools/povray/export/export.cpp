@@ -63,7 +63,7 @@ private:
 
   void header(Writer& out) {
     if (options_.comments) write_introduction(out, scene_);
-    write_settings(out, scene_, inexact_);
+    write_settings(out, scene_, options_.follows_every_ray ? 0 : min_weight(scene_), inexact_);
     if (options_.pass == Pass::color) write_sky(out);
     comment_origin(out, "camera", no_name, scene_.camera_origin);
     write_camera(out, scene_.camera, scene_.size);

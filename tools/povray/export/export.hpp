@@ -20,7 +20,8 @@ enum class Pass : std::uint8_t {
 
 struct ExportOptions {
   Pass pass = Pass::color;
-  bool comments = true; ///< names and lines of the source
+  bool comments = true;           ///< names and lines of the source
+  bool follows_every_ray = false; ///< whatever the scene's `min_weight`: for pictures that are compared
 };
 
 /// Something in the scene that POV-Ray cannot be made to compute exactly.

@@ -38,8 +38,8 @@ Primitive primitive(const scene::Triangle& triangle);
 
 /// What the file is and how POV-Ray makes the same picture of it, as comments.
 void write_introduction(Writer& out, const scene::Scene& scene);
-/// The version of the language and the global settings.
-void write_settings(Writer& out, const scene::Scene& scene, std::vector<Inexact>& inexact);
+/// The version of the language and the global settings. A ray of less weight than `bailout` is not followed.
+void write_settings(Writer& out, const scene::Scene& scene, double bailout, std::vector<Inexact>& inexact);
 
 /// `head` is what stands before the brace: `texture` or `#declare name = texture`.
 void write_texture(Writer& out, const std::string& head, const scene::Scene& scene, const scene::Material& material,

@@ -26,9 +26,14 @@ void write_introduction(Writer& out, const scene::Scene& scene) {
     out.comment(
         fmt::format("This is the linear picture; in 8 and 16 bits rtlang shows it with exposure {} and tone {}.",
                     tones.exposure, tones.tone == Tone::filmic ? "filmic" : "clip"));
+  if (std::ranges::any_of(scene.shapes.all<scene::Triangle>(), [](const auto& t) { return !t.normals.empty(); })) {
+    out.comment(
+        "Where the interpolated normal of a triangle faces away from the viewer, as at a rim, POV-Ray lights it");
+    out.comment("from the other side. rtlang does not.");
+  }
 }
 
-void write_settings(Writer& out, const scene::Scene& scene, std::vector<Inexact>& inexact) {
+void write_settings(Writer& out, const scene::Scene& scene, double bailout, std::vector<Inexact>& inexact) {
   const int depth = scene::depth_limit(scene);
   out.line("#version 3.7;");
   if (depth + 1 > most_trace_levels)
@@ -37,7 +42,7 @@ void write_settings(Writer& out, const scene::Scene& scene, std::vector<Inexact>
   out.open("global_settings");
   out.line("assumed_gamma 1.0");
   out.line(fmt::format("max_trace_level {}", std::min(depth + 1, most_trace_levels)));
-  out.line("adc_bailout 0");
+  out.line("adc_bailout " + number(bailout));
   out.line("ambient_light " + rgb(scene.ambient));
   out.close();
 }

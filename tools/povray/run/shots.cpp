@@ -59,8 +59,8 @@ Shots shoot(const Scene& scene, const ShootOptions& options) {
   run_many(4, options.at_once, [&](std::size_t i) {
     const Pass pass = static_cast<Pass>(i);
     const int scale = pass == Pass::color ? n : 1;
-    Picture picture = render(export_povray(scene, {.pass = pass, .comments = false}).text, shots.width * scale,
-                             shots.height * scale, options.run);
+    Picture picture = render(export_povray(scene, {.pass = pass, .comments = false, .follows_every_ray = true}).text,
+                             shots.width * scale, shots.height * scale, options.run);
     switch (pass) {
     case Pass::color:
       shots.color = shrink(picture.color, shots.width, shots.height, n);

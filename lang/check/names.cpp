@@ -185,6 +185,7 @@ void NameResolver::report_unknown(const Unit& unit, NodeId node) {
   if (const std::string other = dialect_name(word); !other.empty())
     return errors::name_of_another_language(context_, span, symbol, other);
   if (is_in_define_) return errors::unquoted_string(context_, span, symbol);
+  if (!choices_.empty()) return errors::unknown_choice(context_, span, symbol, choices_);
   errors::unknown_name(context_, span, symbol, visible_names());
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,8 @@ public:
   void set_in_expect(bool is_in_expect) { is_in_expect_ = is_in_expect; }
   /// A file could not be read: names that are not found may have stood there.
   void set_names_missing() { names_are_missing_ = true; }
+  /// The value of a property is read that takes one of these words; empty where it takes others.
+  void set_choices(std::span<const std::string_view> choices) { choices_ = choices; }
   /// A value of the command line is read.
   void set_in_define() { is_in_define_ = true; }
 
@@ -57,6 +60,7 @@ private:
   bool is_in_expect_ = false;
   bool names_are_missing_ = false;
   bool is_in_define_ = false;
+  std::span<const std::string_view> choices_;
   TopItem* statement_ = nullptr;
   const AddNames* add_further_names_ = nullptr;
 };

@@ -193,6 +193,20 @@ std::string describe(const ReferenceEntry& e) {
   return text;
 }
 
+std::string describe_properties(std::string_view name) {
+  std::string text;
+  for (const ReferenceEntry& entry : reference()) {
+    for (const auto* properties : {&entry.properties, &entry.common_properties}) {
+      for (const PropertyEntry& property : *properties) {
+        if (property.name != name) continue;
+        const std::string otherwise = property.default_text.empty() ? "" : fmt::format(" ({})", property.default_text);
+        text += fmt::format("{}.{}: {}{}  {}\n", entry.name, name, property.type, otherwise, property.help);
+      }
+    }
+  }
+  return text;
+}
+
 std::string markdown(std::string_view section) {
   if (section == "lint") return lint_rules_markdown();
   std::vector<ReferenceEntry> entries;

@@ -44,6 +44,8 @@ std::optional<ReferenceEntry> find_entry(std::string_view name);
 std::string describe_property(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
+/// All properties of this name, each with the thing that it belongs to; empty where nothing has one.
+std::string describe_properties(std::string_view name);
 /// A word of the grammar, with an example; empty for any other word.
 std::string describe_keyword(std::string_view word);
 /// A section as Markdown: what stands between the `generated` marks of the reference. `section` must be one of them.

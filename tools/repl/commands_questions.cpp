@@ -190,20 +190,6 @@ bool export_scene(Shell& shell, std::string_view arguments) {
   });
 }
 
-std::string describe_property(std::string_view name) {
-  std::string text;
-  for (const lang::ReferenceEntry& entry : lang::reference()) {
-    for (const auto* properties : {&entry.properties, &entry.common_properties}) {
-      for (const lang::PropertyEntry& property : *properties) {
-        if (property.name != name) continue;
-        const std::string otherwise = property.default_text.empty() ? "" : fmt::format(" ({})", property.default_text);
-        text += fmt::format("{}.{}: {}{}  {}\n", entry.name, name, property.type, otherwise, property.help);
-      }
-    }
-  }
-  return text;
-}
-
 // A name of the document, with what it stands for.
 std::string describe_own(Shell& shell, std::string_view name) {
   const std::string text = shell.session().text_of(name);
@@ -223,7 +209,7 @@ std::string describe_color(const Shell& shell, std::string_view name) {
 std::string describe_word(Shell& shell, std::string_view word) {
   std::string text = describe_own(shell, word);
   if (const auto entry = lang::find_entry(word)) return text + lang::describe(*entry);
-  if (text.empty()) text = describe_property(word);
+  if (text.empty()) text = lang::describe_properties(word);
   if (text.empty()) text = describe_color(shell, word);
   if (text.empty()) text = lang::describe_keyword(word);
   return text;

@@ -125,6 +125,10 @@ int run_subcommand(const Subcommand& subcommand, std::vector<std::string> argume
 }
 
 int dispatch(std::vector<std::string> arguments) {
+  if (arguments.empty() && input_is_given())
+    return usage_error("what is on standard input? A scene is `rtlang -`, as in `rtlang - -o picture.png < scene.rtl`; "
+                       "what would be typed at the prompt is `rtlang repl < FILE`",
+                       "");
   if (arguments.empty()) return run_subcommand(*find_subcommand("repl"), {}, "repl ");
   const std::string first = arguments.front();
   if (arguments.size() == 1 && (first == "--help" || first == "-h" || first == "help")) {
@@ -149,6 +153,7 @@ int run(std::vector<std::string> arguments) {
   try {
     return dispatch(std::move(arguments));
   } catch (const Interrupted&) {
+    say_stopped();
     return exit_signal_base + stop_signal();
   } catch (const std::bad_alloc&) {
     struct rusage usage {};
@@ -157,7 +162,10 @@ int run(std::vector<std::string> arguments) {
                             human(1024 * static_cast<double>(usage.ru_maxrss)))); // in KiB, as Linux counts
   } catch (const std::system_error& error) {
     // A file that is a pipe was waited for.
-    if (error.code() == std::errc::interrupted && stop_signal() != 0) return exit_signal_base + stop_signal();
+    if (error.code() == std::errc::interrupted && stop_signal() != 0) {
+      say_stopped();
+      return exit_signal_base + stop_signal();
+    }
     // Whoever read our output has enough: `rtlang ast scene.rtl | head`.
     if (error.code() == std::errc::broken_pipe) return exit_broken_pipe;
     print_error(fmt::format("rtlang: {}\n", error.what()));

@@ -2,8 +2,11 @@
 
 #include "tools/terminal/exit_code.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 
 namespace rt::tools {
 namespace {
@@ -15,12 +18,20 @@ std::atomic<bool> ends_at_once{false};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void on_signal(int number) {
-  if (ends_at_once) std::_Exit(exit_signal_base + number);
+  if (ends_at_once) {
+    say_stopped();
+    std::_Exit(exit_signal_base + number);
+  }
   signal_number = number;
   stop = true;
 }
 
 } // namespace
+
+void say_stopped() noexcept {
+  constexpr std::string_view message = "rtlang: stopped\n";
+  if (::write(STDERR_FILENO, message.data(), message.size()) < 0) return; // nobody hears it
+}
 
 void listen_to_signals() {
   struct sigaction action {};

@@ -13,6 +13,9 @@ const std::atomic<bool>& stop_flag();
 /// The signal that asked, 0 if none did.
 int stop_signal();
 
+/// Says on standard error that the program ends because a signal asked for it. May be called in a signal handler.
+void say_stopped() noexcept;
+
 /// For a session, which listens by itself and outlives what it is asked to stop. May be called in a signal handler.
 void set_stop(bool is_wanted) noexcept;
 

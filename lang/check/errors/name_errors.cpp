@@ -4,6 +4,7 @@
 #include "lang/text/suggest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rt::lang::errors {
 namespace {
@@ -18,6 +19,13 @@ void unknown_name(CheckContext& context, Span place, Symbol name, const std::vec
   const auto guess = nearest(context.name(name), known);
   not_known(context, place, fmt::format("unknown name `{}`", context.name(name)),
             guess ? fmt::format("did you mean `{}`?", *guess) : "not known here");
+}
+
+void unknown_choice(CheckContext& context, Span place, Symbol name, std::span<const std::string_view> choices) {
+  const auto guess = nearest(context.name(name), choices);
+  not_known(context, place, fmt::format("unknown name `{}`", context.name(name)),
+            guess ? fmt::format("did you mean `{}`?", *guess)
+                  : fmt::format("`{}` can be written here", fmt::join(choices, "`, `")));
 }
 
 void name_of_another_language(CheckContext& context, Span place, Symbol name, const std::string& here) {

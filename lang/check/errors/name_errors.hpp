@@ -2,6 +2,7 @@
 
 #include "lang/check/context.hpp"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace rt::lang::errors {
 
 /// `known` are the names that could have been meant.
 void unknown_name(CheckContext& context, Span place, Symbol name, const std::vector<std::string_view>& known);
+/// Where one of these words is wanted.
+void unknown_choice(CheckContext& context, Span place, Symbol name, std::span<const std::string_view> choices);
 /// `here` says what this language has instead.
 void name_of_another_language(CheckContext& context, Span place, Symbol name, const std::string& here);
 /// In a value of the command line.

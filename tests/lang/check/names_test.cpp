@@ -115,3 +115,27 @@ TEST_CASE("names: one mistake, one message") {
   CHECK(errors("for i in 0..<1000 { sphere { radius: \"a\" } }") == Codes{"E0301"});
   CHECK(errors("cylinder { frm: [0, 0, 0], to: [0, 1, 0] }") == Codes{"E0204"});
 }
+
+TEST_CASE("names: where a property takes words, an unknown one is told which") {
+  const auto label = [](const std::string& text) {
+    const Loaded loaded = load(text);
+    const Diagnostic* d = find(loaded, "E0201");
+    return d ? d->label : "";
+  };
+  CHECK(label("tone: filmc\nsphere {}") == "did you mean `filmic`?");
+  CHECK(label("tone: reinhard\nsphere {}") == "`clip`, `filmic` can be written here");
+  CHECK(label("tone: if 1 > 0 { filmc } else { clip }\nsphere {}") == "did you mean `filmic`?");
+  CHECK(label("sphere { material: { highlight: phonk } }") == "did you mean `phong`?");
+  CHECK(label("tone: clip\nsphere { radius: filmc }") == "not known here");
+}
+
+TEST_CASE("names: a comment that was meant as a division and swallows the end of its block is pointed at") {
+  for (const std::string text : {"sphere { radius: 7 // 2 }", "sphere { at: [1, 2, 7 //2] }\nsphere {}"}) {
+    const Loaded loaded = load(text);
+    CHECK(errors(loaded) == Codes{"E0103"});
+    const Diagnostic* d = find(loaded, "N0005");
+    REQUIRE(d);
+    CHECK(d->message == "`//` begins a comment: the value on line 1 is `7`; `floor(7 / 2)` divides and rounds down");
+  }
+  CHECK_FALSE(find(load("sphere { radius: 7 // 2 mm }\n}"), "N0005"));
+}

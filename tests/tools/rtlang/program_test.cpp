@@ -163,3 +163,18 @@ TEST_CASE("program: a reader that has enough is no error to talk about") {
     CHECK(run.errors.empty());
   }
 }
+
+TEST_CASE("program: what is piped in without a word is not guessed at") {
+  Desk desk;
+  desk.options.input = "sphere {}\n";
+  const Outcome run = desk.run({});
+  CHECK(run.exit_code == 2);
+  CHECK(run.output.empty());
+  CHECK_THAT(run.errors, StartsWith("rtlang: what is on standard input? A scene is `rtlang -`, "));
+}
+
+TEST_CASE("program: doc knows properties by their names") {
+  const Desk desk;
+  CHECK_THAT(desk.run({"doc", "tone"}).output, StartsWith("scene.tone: clip or filmic (clip)  "));
+  CHECK_THAT(desk.run({"doc", "radios"}).errors, Contains("did you mean `radius`?"));
+}

@@ -36,12 +36,17 @@ int print_entry(const std::string& name) {
     print(lang::describe(*entry));
     return exit_fine;
   }
-  if (const std::string text = lang::describe_keyword(name); !text.empty()) {
+  std::string text = lang::describe_properties(name);
+  if (text.empty()) text = lang::describe_keyword(name);
+  if (!text.empty()) {
     print(text);
     return exit_fine;
   }
   std::vector<std::string> owned;
-  for (const lang::ReferenceEntry& e : lang::reference()) owned.push_back(e.name);
+  for (const lang::ReferenceEntry& e : lang::reference()) {
+    owned.push_back(e.name);
+    for (const lang::PropertyEntry& property : e.properties) owned.emplace_back(property.name);
+  }
   const std::vector<std::string_view> names(owned.begin(), owned.end());
   const auto nearest = lang::nearest(name, names);
   throw UsageError(
@@ -62,7 +67,7 @@ int run_doc(const DocArguments& arguments) {
 
 Action declare_doc(CLI::App& app) {
   auto arguments = std::make_shared<DocArguments>();
-  app.add_option("NAME", arguments->name, "a thing, function or material")->group("Arguments");
+  app.add_option("NAME", arguments->name, "a thing, property, function or material")->group("Arguments");
   app.add_option("--markdown", arguments->section, "prints a section of the language reference")->type_name("SECTION");
   return [arguments] { return run_doc(*arguments); };
 }

@@ -92,6 +92,29 @@ bool is_terminal(const std::string& path) {
   return is_terminal;
 }
 
+bool shows_progress(const RenderArguments& arguments) {
+  return error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics;
+}
+
+/// While it lives, tells how long that has been.
+class Waiting {
+public:
+  explicit Waiting(const std::function<void(double seconds)>& tell)
+      : thread_([tell](const std::stop_token& stop) { run(tell, stop); }) {}
+
+private:
+  static void run(const std::function<void(double seconds)>& tell, const std::stop_token& stop) {
+    const Clock::time_point start = Clock::now();
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, stop, std::chrono::milliseconds(100), [&] { return stop.stop_requested(); }))
+      tell(seconds_since(start));
+  }
+
+  std::jthread thread_;
+};
+
 /// Where the picture goes and as what. Without -o: a png in the current folder, named like the scene.
 std::vector<Output> outputs(const RenderArguments& arguments) {
   std::vector<std::string> paths = arguments.outputs;
@@ -131,8 +154,8 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
 }
 
 /// What is said about a picture in its file.
-std::vector<std::pair<std::string, std::string>> text_of(scene::Scene& scene, const std::string& hash, bool is_exr,
-                                                         const std::optional<SumsLabel>& sums) {
+std::vector<std::pair<std::string, std::string>> text_of(const scene::Scene& scene, const std::string& hash,
+                                                         bool is_exr, const std::optional<SumsLabel>& sums) {
   const std::string software = fmt::format("rtlang {}", version_number());
   if (!is_exr) return {{"Software", software}, {"Scene-Hash", hash}};
   std::vector<std::pair<std::string, std::string>> text{{"software", software}, {"sceneHash", hash}};
@@ -145,11 +168,16 @@ std::vector<std::pair<std::string, std::string>> text_of(scene::Scene& scene, co
   return text;
 }
 
-void write(const std::vector<Output>& list, const Rendered& rendered, int bits, scene::Scene& scene,
-           const std::string& hash, const std::optional<SumsLabel>& sums) {
+void write(const std::vector<Output>& list, const Rendered& rendered, const RenderArguments& arguments,
+           const scene::Scene& scene, const std::string& hash, const std::optional<SumsLabel>& sums) {
   const ObjectIds ids(scene);
+  ProgressBar bar;
   for (const Output& output : list) {
-    const EncodeOptions options{bits, text_of(scene, hash, output.format == ImageFormat::exr, sums),
+    std::optional<Waiting> waiting;
+    if (shows_progress(arguments))
+      waiting.emplace(
+          [&](double seconds) { bar.show(fmt::format("{}: writing for {:.0f} s", output.path, seconds), seconds); });
+    const EncodeOptions options{arguments.bits, text_of(scene, hash, output.format == ImageFormat::exr, sums),
                                 [&ids](std::uint32_t id) { return ids.name(id); }};
     const std::string bytes = [&] {
       // Nothing is half written yet. A part of a picture is wanted in spite of the signal that cut it.
@@ -193,26 +221,6 @@ void warn_of_dropped(const scene::Scene& scene, const RenderStatistics& statisti
                           dropped.samples == 1 ? "s" : "", dropped.x, dropped.y, place_of(scene, dropped.object_id)));
 }
 
-/// While it lives, tells that nothing is traced yet.
-class Waiting {
-public:
-  explicit Waiting(const std::function<void(const Progress&)>& tell) {
-    if (tell) thread_ = std::jthread([tell](const std::stop_token& stop) { run(tell, stop); });
-  }
-
-private:
-  static void run(const std::function<void(const Progress&)>& tell, const std::stop_token& stop) {
-    const Clock::time_point start = Clock::now();
-    std::mutex mutex;
-    std::condition_variable_any wake;
-    std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, stop, std::chrono::milliseconds(100), [&] { return stop.stop_requested(); }))
-      tell({0, 0, seconds_since(start)});
-  }
-
-  std::jthread thread_;
-};
-
 Rendered render_within_memory(const CompiledScene& compiled, const scene::Scene& scene, const RenderOptions& options) {
   try {
     View view = view_of(scene);
@@ -229,12 +237,12 @@ Rendered render_within_memory(const CompiledScene& compiled, const scene::Scene&
 
 Rendered render_with_progress(const RenderArguments& arguments, const scene::Scene& scene, RenderOptions options) {
   ProgressBar bar;
-  if (error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics)
-    options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  if (shows_progress(arguments)) options.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
   const Clock::time_point build_start = Clock::now();
   const auto compiled = [&] {
     const EndsAtOnce building;
-    const Waiting waiting(options.on_progress);
+    std::optional<Waiting> waiting;
+    if (options.on_progress) waiting.emplace([&](double seconds) { options.on_progress({0, 0, seconds}); });
     return std::make_unique<const CompiledScene>(scene, options.threads);
   }();
   const double build_seconds = seconds_since(build_start);
@@ -310,7 +318,7 @@ int run_render(const RenderArguments& arguments) {
 
   const Clock::time_point write_start = Clock::now();
   statistics.scene_hash = scene_hash(scene);
-  write(list, rendered, arguments.bits, scene, statistics.scene_hash, label);
+  write(list, rendered, arguments, scene, statistics.scene_hash, label);
   statistics.write_seconds = seconds_since(write_start);
 
   statistics.scene = arguments.scene->path;

@@ -139,17 +139,14 @@ DeclaredNames names_of(const Session& session) {
           [&session](std::string_view name) { return session.properties_of(name); }};
 }
 
-// Those of a program's main file, as far as the text shows what they are.
+// Those of a file, and of all that is included where it is, as far as the texts show what they are.
 class ProgramNames {
 public:
-  explicit ProgramNames(const Program& program) : program_(program), ast_(program.main->ast) {
-    for (const NodeId item : ast_.children(ast_.root)) {
-      const Kind kind = ast_.kind(item);
-      if (kind == Kind::bind) values_[ast_.symbol(ast_.bind_item(item).name)] = ast_.bind_item(item).value;
-      if (kind == Kind::param) values_[ast_.symbol(ast_.param_item(item).name)] = no_node;
-      if (kind == Kind::use) values_[ast_.symbol(ast_.use_item(item).name)] = no_node;
-      if (kind == Kind::def || kind == Kind::fn) functions_[ast_.symbol(ast_.function(item).name)] = item;
-    }
+  ProgramNames(const Program& program, FileId file) : program_(program) {
+    const Unit* whole = program.main;
+    for (const ModuleInfo& module : program.modules)
+      if (holds(module.unit, file)) whole = module.unit;
+    add(*whole);
   }
 
   std::vector<std::string> all() const {
@@ -161,8 +158,8 @@ public:
 
   const NodeType* noun_of(std::string_view name) const {
     const Symbol model = model_of(program_.symbols.find(name));
-    if (const auto def = functions_.find(model); def != functions_.end())
-      return ast_.kind(def->second) == Kind::def ? program_.types.find("group") : nullptr;
+    if (const auto found = functions_.find(model); found != functions_.end())
+      return found->second.ast->kind(found->second.node) == Kind::def ? program_.types.find("group") : nullptr;
     for (const Program::LibraryName& entry : program_.library_names)
       if (entry.name == model) return &program_.types.material();
     return model == no_symbol ? program_.types.find(name) : program_.types.find(program_.symbols.name(model));
@@ -172,30 +169,55 @@ public:
     std::vector<std::string> words;
     if (const NodeType* type = noun_of(name))
       for (const Property& property : type->properties) words.emplace_back(property.name);
-    if (const auto def = functions_.find(model_of(program_.symbols.find(name))); def != functions_.end())
-      for (const NodeId parameter : ast_.function(def->second).parameters)
-        words.emplace_back(program_.symbols.name(ast_.symbol(ast_.parameter(parameter).name)));
+    if (const auto found = functions_.find(model_of(program_.symbols.find(name))); found != functions_.end()) {
+      const auto& [ast, node] = found->second;
+      for (const NodeId parameter : ast->function(node).parameters)
+        words.emplace_back(program_.symbols.name(ast->symbol(ast->parameter(parameter).name)));
+    }
     return words;
   }
 
 private:
+  struct Place {
+    const Ast* ast;
+    NodeId node;
+  };
+
+  static bool holds(const Unit* unit, FileId file) {
+    if (!unit) return false;
+    return unit->ast.file == file || std::any_of(unit->includes.begin(), unit->includes.end(),
+                                                 [&](const auto& entry) { return holds(entry.second, file); });
+  }
+
+  void add(const Unit& unit) {
+    const Ast& ast = unit.ast;
+    for (const NodeId item : ast.children(ast.root)) {
+      const Kind kind = ast.kind(item);
+      if (kind == Kind::bind) values_[ast.symbol(ast.bind_item(item).name)] = {&ast, ast.bind_item(item).value};
+      if (kind == Kind::param) values_[ast.symbol(ast.param_item(item).name)] = {&ast, no_node};
+      if (kind == Kind::use) values_[ast.symbol(ast.use_item(item).name)] = {&ast, no_node};
+      if (kind == Kind::def || kind == Kind::fn) functions_[ast.symbol(ast.function(item).name)] = {&ast, item};
+      if (const Unit* included = kind == Kind::include ? unit.included(item) : nullptr) add(*included);
+    }
+  }
+
   // What a bound name is a copy of in the end; any other name is itself.
   Symbol model_of(Symbol name) const {
     for (std::size_t steps = 0; steps <= values_.size(); ++steps) { // a name may be bound to itself, by mistake
       const auto bound = values_.find(name);
       if (bound == values_.end()) return name;
-      if (bound->second == no_node) return no_symbol;
-      const NodeId base = innermost(ast_, bound->second);
-      if (ast_.kind(base) != Kind::name) return no_symbol;
-      name = ast_.symbol(base);
+      const auto& [ast, value] = bound->second;
+      if (value == no_node) return no_symbol;
+      const NodeId base = innermost(*ast, value);
+      if (ast->kind(base) != Kind::name) return no_symbol;
+      name = ast->symbol(base);
     }
     return no_symbol;
   }
 
   const Program& program_;
-  const Ast& ast_;
-  std::map<Symbol, NodeId> values_;    // of bindings; no node where there is nothing to be seen of it
-  std::map<Symbol, NodeId> functions_; // defs and fns
+  std::map<Symbol, Place> values_;    // of bindings; no node where there is nothing to be seen of it
+  std::map<Symbol, Place> functions_; // defs and fns
 };
 
 // How near a word is to what is being typed; the nearest are offered first.
@@ -339,7 +361,7 @@ WordCompletion complete(const Session& session, std::string_view text, std::size
 
 WordCompletion complete(const Analysis& analysis, FileId file, std::uint32_t place) {
   const Program& program = *analysis.program;
-  const ProgramNames names(program);
+  const ProgramNames names(program, file);
   const DeclaredNames declared{names.all(), [&names](std::string_view name) { return names.noun_of(name); },
                                [&names](std::string_view name) { return names.properties_of(name); }};
   return complete_in(program.sources.file(file).text, place, program, declared);

@@ -23,7 +23,7 @@ struct WordCompletion {
 /// What may stand at the cursor of a text that is being typed: properties of the thing whose block it is in, values
 /// that a property takes, keywords, nouns, functions, colours, and the session's names.
 WordCompletion complete(const Session& session, std::string_view text, std::size_t cursor);
-/// The same at a place of a file that was analysed, errors and all, with the names that the scene declares.
+/// The same at a place of a file that was analysed, errors and all, with the names that are known in it.
 WordCompletion complete(const Analysis& analysis, FileId file, std::uint32_t place);
 
 /// All words that have an entry in the reference.

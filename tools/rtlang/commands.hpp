@@ -21,6 +21,7 @@ Action declare_diff(CLI::App& app);
 Action declare_merge(CLI::App& app);
 Action declare_lint(CLI::App& app);
 Action declare_repl(CLI::App& app);
+Action declare_lsp(CLI::App& app);
 Action declare_fmt(CLI::App& app);
 
 } // namespace rt::tools

@@ -117,7 +117,7 @@ TracingCost trace_exactly(const CompiledScene& scene, const FrameRays& rays) {
   TraceScratch scratch;
   TracingCost cost;
   const double start = cpu_seconds();
-  for (const Ray& ray : rays.nearest) cost.hits += scene.nearest(ray, {0, unlimited}, scratch) ? 1 : 0;
+  for (const Ray& ray : rays.nearest) cost.hits += scene.nearest(ray, {}, scratch) ? 1 : 0;
   for (std::size_t i = 0; i < rays.shadow.size(); ++i)
     cost.hits += scene.transmittance(rays.shadow[i], {0, rays.shadow_ends[i]}, scratch) == black ? 1 : 0;
   cost.seconds = cpu_seconds() - start;

@@ -35,7 +35,7 @@ struct Prepared {
 void trace(benchmark::State& state, const CompiledScene& compiled, const std::vector<Ray>& rays) {
   TraceScratch scratch;
   for (auto _ : state)
-    for (const Ray& ray : rays) benchmark::DoNotOptimize(compiled.nearest(ray, {0, unlimited}, scratch).t);
+    for (const Ray& ray : rays) benchmark::DoNotOptimize(compiled.nearest(ray, {}, scratch).t);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size()));
 }
 
@@ -51,7 +51,7 @@ void primary_packets(benchmark::State& state, std::string_view name) {
   std::array<RayHit, bvh::packet_size> hits;
   for (auto _ : state)
     for (std::size_t i = 0; i + bvh::packet_size <= p.camera.size(); i += bvh::packet_size) {
-      p.compiled.nearest(std::span(p.camera).subspan(i, bvh::packet_size), {0, unlimited}, hits, scratch);
+      p.compiled.nearest(std::span(p.camera).subspan(i, bvh::packet_size), {}, hits, scratch);
       benchmark::DoNotOptimize(hits.data());
     }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(p.camera.size()));

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace rt::tools::lsp {
+
+/// What a position's character counts: bytes, or 16-bit units of UTF-16 (LSP 3.17, "PositionEncodingKind").
+enum class PositionEncoding : std::uint8_t { utf8, utf16 };
+
+/// A place between two characters. Lines and characters count from 0.
+struct TextPosition {
+  std::uint32_t line = 0, character = 0;
+};
+
+/// Where the lines of a text begin, by the protocol's rules: a line ends with \n, \r\n or \r. The text must outlive it.
+class LineTable {
+public:
+  explicit LineTable(std::string_view text);
+
+  /// Of a byte offset; what lies beyond the text is its end.
+  TextPosition position(std::size_t offset, PositionEncoding encoding) const;
+  /// The byte offset. A character beyond its line is the line's end, a line beyond the last the text's, and the middle
+  /// of a character its beginning.
+  std::size_t offset(TextPosition position, PositionEncoding encoding) const;
+
+private:
+  std::string_view text_;
+  std::vector<std::size_t> starts_;
+};
+
+} // namespace rt::tools::lsp

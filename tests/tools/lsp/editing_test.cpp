@@ -70,7 +70,7 @@ TEST_CASE("lsp: a mistake is shown where it is, in UTF-16 units, and is gone onc
 }
 
 TEST_CASE("lsp: with a client that counts bytes it counts bytes") {
-  Editor editor({{"general", {{"positionEncodings", {"utf-16", "utf-8"}}}}});
+  Editor editor(json{{"general", {{"positionEncodings", {"utf-16", "utf-8"}}}}});
   editor.open("a.rtl", "/* 🙂● */ sphere { raduis: 1 }\n");
   CHECK(editor.client.diagnostics(editor.uri("a.rtl"))[0]["range"] == range(0, 23, 29));
 }

@@ -7,6 +7,8 @@
 #include "lang/check/items.hpp"
 #include "lang/check/properties.hpp"
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace rt::lang {
@@ -18,6 +20,14 @@ void add_property_reference(References& references, Span span, Symbol property, 
     references.add(span, thing.function->parameters[*parameter].declaration, Reference::Use::reads_part);
   else if (const auto found = thing.type->find(property))
     references.add(span, &thing.type->properties[*found]);
+}
+
+/// The words that a property of this name takes, of whatever thing: a record does not say what it describes.
+std::span<const std::string_view> choices_of(const Program& program, Symbol property) {
+  for (const NodeType& type : program.types.all())
+    if (const auto found = type.find(property); found && !type.properties[*found].choices.empty())
+      return type.properties[*found].choices;
+  return {};
 }
 
 } // namespace
@@ -52,8 +62,12 @@ void ExpressionChecker::check_parts(Unit& unit, NodeId node) {
     for (const NodeId child : ast.children(node)) check(unit, child);
     return;
   case Kind::record:
-    for (const NodeId item : ast.children(node))
-      if (ast.kind(item) == Kind::property) check(unit, ast.named(item).value);
+    for (const NodeId item : ast.children(node)) {
+      if (ast.kind(item) != Kind::property) continue;
+      names_.set_choices(choices_of(context_.program, ast.named(item).symbol));
+      check(unit, ast.named(item).value);
+      names_.set_choices({});
+    }
     return check_record_fields(context_, unit, node);
   case Kind::comprehension:
     return check_comprehension(unit, node);

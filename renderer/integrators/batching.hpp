@@ -58,9 +58,9 @@ private:
   static constexpr int deepest_batch = 8;
   // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
   static constexpr int max_crossings = 1 << 20;
-  // With smaller parts weaker branches are followed, with larger ones too little is left for the last: this is
-  // cheapest.
-  static constexpr double most_at_once = 0.25;
+  // With smaller parts weaker branches are followed, with larger ones too little is left for the last where light is
+  // caught in glass and comes out in many places.
+  static constexpr double most_at_once = 1.0 / 16;
 
   // Rays that leave a batch's surfaces in the same way, and where each comes from.
   template <std::size_t Size>

@@ -110,9 +110,8 @@ TEST_CASE("min_weight: depth 20 costs hardly more than depth 8") {
 }
 
 TEST_CASE("min_weight: parallel mirrors are followed down to it") {
-  // ρ = ½, e = 0.1: all light is 0.2, and 0.07 + 2.2·0.2 = 0.51 of `min_weight` may be missing, a quarter of that, or
-  // 0.1275, at once. So a ray of a quarter of `min_weight` is followed, one of an eighth not:
-  // 0.1 (1 + ½ + … + min_weight/4).
+  // ρ = ½, e = 0.1: all light is 0.2, and 0.07 + 2.2·0.2 = 0.51 of `min_weight` may be missing, a 16th of that, or
+  // 2⁻⁴·⁹⁷, at once. So a ray of 2⁻⁴ of `min_weight` is followed, one of 2⁻⁵ not: 0.1 (1 + ½ + … + 2⁻⁴ min_weight).
   SceneBuilder k;
   scene::Material m;
   m.ambient = m.diffuse = grey(0), m.emission = grey(0.1), m.reflect = grey(0.5);
@@ -122,7 +121,7 @@ TEST_CASE("min_weight: parallel mirrors are followed down to it") {
   k.scene.max_depth = 100;
   for (const double least : {0x1p-9, 0x1p-20}) {
     k.scene.min_weight = least;
-    CHECK(Asked(k).radiance({0, 0, 0}, {0, 0, 1}).r == Approx(0.2 * (1 - least / 8)).epsilon(1e-14));
+    CHECK(Asked(k).radiance({0, 0, 0}, {0, 0, 1}).r == Approx(0.2 * (1 - least / 32)).epsilon(1e-14));
   }
   k.scene.min_weight = 0;
   CHECK(Asked(k).radiance({0, 0, 0}, {0, 0, 1}).r == Approx(0.2).epsilon(1e-14));

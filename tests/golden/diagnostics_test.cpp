@@ -5,6 +5,7 @@
 #include "lang/load.hpp"
 #include "tests/paths.hpp"
 #include "tools/explain/lint/lint.hpp"
+#include "tools/import/import.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -33,7 +34,8 @@ std::string read(const fs::path& path) {
 std::vector<fs::path> scenes() {
   std::vector<fs::path> out;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".rtl") out.push_back(entry.path());
+    const fs::path extension = entry.path().extension();
+    if (extension == ".rtl" || rt::tools::import::format_of(extension.native())) out.push_back(entry.path());
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -73,7 +75,16 @@ Loaded load(std::string name, std::string text) {
   return loaded;
 }
 
+/// Of another program's scene.
+std::string import_report(const rt::tools::import::Format& format, const std::string& name, std::string text) {
+  const rt::tools::import::Imported imported = format.read(std::move(text), name, {});
+  std::string out;
+  for (const Diagnostic& diagnostic : imported.diagnostics) out += render(diagnostic, imported.sources, false) + '\n';
+  return out;
+}
+
 std::string report_of(std::string name, std::string text) {
+  if (const auto* format = rt::tools::import::format_of(name)) return import_report(*format, name, std::move(text));
   const Loaded loaded = load(std::move(name), std::move(text));
   std::string out;
   for (const Diagnostic& line : loaded.printed) out += render(line, loaded.sources, false) + '\n';

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lang/diagnostics/diagnostic.hpp"
-#include "renderer/fields/field.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +12,7 @@ namespace rt::tools::import {
 
 struct Options {
   bool is_lenient = false; ///< takes common forms that the format does not have, and leaves out what it cannot take
-  scene::Resolution size{1280, 720};    ///< of the picture, where the file does not say
+  std::array<int, 2> size{1280, 720};   ///< of the picture, where the file does not say
   bool cylinders_stand_on_foot = false; ///< miniRT: a cylinder's point is its foot, not its middle
 };
 

@@ -30,7 +30,7 @@ Diagnostic wrong_count(Span place, std::string message, std::vector<Note> others
 }
 
 Diagnostic taken_otherwise(Span place, std::string message, std::string label) {
-  Diagnostic warning = lang::make_error("W0801", place, std::move(message), std::move(label));
+  Diagnostic warning = lang::make_error("N0801", place, std::move(message), std::move(label));
   warning.severity = lang::Severity::warning;
   return warning;
 }

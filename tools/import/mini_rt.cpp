@@ -163,7 +163,7 @@ private:
   }
 
   void write() {
-    const scene::Resolution size = picture_size();
+    const std::array<int, 2> size = picture_size();
     const std::string first = fmt::format("size: [{}, {}]", size[0], size[1]);
     std::string& by_line = imported_.by_line;
     std::string typed =
@@ -191,7 +191,7 @@ private:
 
   static bool is_camera(const Element& element) { return element.row->word == Word::C || element.row->word == Word::c; }
 
-  scene::Resolution picture_size() const {
+  std::array<int, 2> picture_size() const {
     const auto row = std::ranges::find(elements_, Word::R, [](const Element& e) { return e.row->word; });
     if (row == elements_.end()) return options_.size;
     // The school's programs cut it to their screen.

@@ -89,7 +89,8 @@ std::shared_ptr<SceneArguments> add_text_arguments(CLI::App& app) {
          [arguments = arguments.get()](const std::string& form) { arguments->json_diagnostics = form == "json"; },
          "format of diagnostics: text or json")
       ->type_name("FORM")
-      ->check(one_of({"text", "json"}));
+      ->check(one_of({"text", "json"}))
+      ->group(further_options);
   return arguments;
 }
 
@@ -188,12 +189,13 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
         ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
   };
   add("--size", "size", "WxH", "overrides the scene's width and height");
-  add("--mode", "mode", "NAME", "whitted, path (soft shadows, light between surfaces) or occlusion");
+  add("--mode", "mode", "NAME", "how light is followed: whitted, path or occlusion");
   add("--samples", "samples", "N", "rays per pixel: in whitted a square number");
   add("--noise", "noise", "N", "but in whitted: goes on until the picture is as quiet as this")->group(further_options);
   add("--seed", "seed", "N", "but in whitted: another picture, as good")->group(further_options);
   add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
-  add("--min-weight", "min_weight", "W", "how far weak rays that are left out may move a pixel, of white; 0: none is");
+  add("--min-weight", "min_weight", "W", "how far weak rays that are left out may move a pixel, of white; 0: none is")
+      ->group(further_options);
   return settings;
 }
 

@@ -23,7 +23,7 @@ std::span<const Subcommand> subcommands() {
       {"fmt", "FILES... [--check]", "formats scenes in the standard style", declare_fmt},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},
       {"repl", "[SCENE] [--keep-going]", "builds a scene interactively (the default without arguments)", declare_repl},
-      {"lsp", "[OPTIONS]", "serves editors: errors as you type, completion, definitions, renaming", declare_lsp},
+      {"lsp", "[OPTIONS]", "serves editors: errors as you type, completion, definitions", declare_lsp},
       {"explain", "[CODE]", "explains an error code, or lists all of them", declare_explain},
   };
   return table;

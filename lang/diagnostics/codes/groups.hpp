@@ -14,7 +14,7 @@ std::span<const Code> things();       ///< E04xx: shapes, solids, materials, lig
 std::span<const Code> limits();       ///< E05xx: steps, depth, memory, objects
 std::span<const Code> files();        ///< E06xx: include, use, param
 std::span<const Code> expectations(); ///< E07xx: what `rtlang test` finds
-std::span<const Code> imports();      ///< E08xx, W08xx: other programs' scenes
+std::span<const Code> imports();      ///< E08xx, N08xx: other programs' scenes
 std::span<const Code> lint();         ///< Wxxxx: what `rtlang lint` warns of
 std::span<const Code> remarks();      ///< Nxxxx: notes
 

@@ -16,7 +16,7 @@ std::span<const Code> imports() {
        "", ""},
       {"E0803", "An element of another program's scene is missing, or there twice",
        "The format says how many elements of this kind a file has.", "", ""},
-      {"W0801", "Something of another program's scene is taken otherwise",
+      {"N0801", "Something of another program's scene is taken otherwise",
        "The format allows what stands there, but it cannot be taken as it stands, or would be understood differently "
        "by "
        "other programs. The message says what was made of it.",

@@ -1,14 +1,15 @@
 #include "renderer/integrators/path/scattering_point.hpp"
 
+#include "renderer/integrators/rules.hpp"
+
 #include <algorithm>
 
 namespace rt {
 
 ScatteringPoint scattering_point(const PathScene& scene, const Walker& walker, const Walk& walk, const Surface& surface,
                                  const MaterialValues& values) {
-  constexpr double least_cosine = 1e-9; // of a surface that is seen edge-on
-  const double approach = dot(surface.shading_normal, walk.ray.direction);
-  const Frame frame(approach > 0 ? -surface.shading_normal : surface.shading_normal);
+  constexpr double least_cosine = 1e-9; // of a surface that is seen edge-on, or whose normal faces away
+  const Frame frame(OwnRules::turned_normal(surface, walk.ray.direction));
   Vec3 wo = frame.local(-walk.ray.direction);
   wo.z = std::max(wo.z, least_cosine);
   return {surface,

@@ -348,10 +348,12 @@ Action declare_render(CLI::App& app) {
       ->check([](const std::string& text) {
         return live::parse_numbers(text, ',', 4) ? ""
                                                  : fmt::format("takes X0,Y0,X1,Y1, as in 0,0,400,300, not `{}`", text);
-      });
+      })
+      ->group(further_options);
   app.add_option("--bits", arguments->bits, "bits per channel in .png and .ppm: 8 or 16")
       ->type_name("N")
-      ->check(one_of({"8", "16"}));
+      ->check(one_of({"8", "16"}))
+      ->group(further_options);
   app.add_option_function<std::string>(
          "--time", [arguments = arguments.get()](const std::string& text) { arguments->seconds = *seconds_of(text); },
          "but in whitted: samples for so long, as in 90s, 5m or 1.5h")

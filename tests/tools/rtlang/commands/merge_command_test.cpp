@@ -100,5 +100,5 @@ TEST_CASE("rtlang render: samples without finite light are counted, and their ob
                   "for x in [-1, 1] { light { at: [x, 3, 0], intensity: 1.7e308 } }\n");
   const Outcome run = desk.run({"scene.rtl", "-o", "a.png"});
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.errors, Contains("no finite light") && Contains("big (scene.rtl:6)"));
+  CHECK_THAT(run.errors, Contains("no finite light") && Contains("big (scene.rtl:5)"));
 }

@@ -202,11 +202,20 @@ private:
       for (const Interaction& at : interactions) {
         DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, at.surface.point)}; });
         d.cos_light = dot(at.normal, d.sample.to_light);
+        if (light.shadows && at.path->kind != RayKind::camera) leave_out_weak(at, d);
       }
       if (light.shadows) cast_shadows(interactions, direct, is_together);
       for (std::size_t i = 0; i < interactions.size(); ++i) model_.add_direct_light(interactions[i], direct[i], index);
     }
     for (const Interaction& at : interactions) model_.gather(*at.path, at.light);
+  }
+
+  // A light is not asked for what is in its way where all of it is allowed to be missing.
+  static void leave_out_weak(const Interaction& at, DirectLight& direct) {
+    const PathState& path = *at.path;
+    if (path.tree->allowance == 0 || !direct.is_facing()) return;
+    const double most = weight_of(path, Model::reflected(at, direct, true).sum());
+    if (may_be_missing(*path.tree, most)) direct.left_out = most;
   }
 
   template <std::size_t Size>
@@ -265,15 +274,24 @@ private:
     return count;
   }
 
-  // Whether a branch is followed: not, where its weight is a small part of what may still be missing, so that something
-  // is left for others. (What is totally reflected is no branch, but the ray itself.)
+  // Whether a branch is followed. (What is totally reflected is no branch, but the ray itself.)
   bool is_followed(const Scattering& s, const Color& share) {
-    const PathState& path = *s.at->path;
-    const double weight = max_component(path.weight * path.passed * share);
-    if (!(weight < path.tree->allowance * most_at_once)) return true;
-    path.tree->allowance -= weight;
+    const double weight = weight_of(*s.at->path, share);
+    if (!may_be_missing(*s.at->path->tree, weight)) return true;
     model_.prune(weight);
     return false;
+  }
+
+  // In the camera ray's light.
+  static double weight_of(const PathState& path, const Color& share) {
+    return max_component(path.weight * path.passed * share);
+  }
+
+  // Takes the weight from the allowance where it is a small part of that, so that something is left for others.
+  static bool may_be_missing(RayTree& tree, double weight) {
+    if (!(weight < tree.allowance * most_at_once)) return false;
+    tree.allowance -= weight;
+    return true;
   }
 
   template <std::size_t Size>

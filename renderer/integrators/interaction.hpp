@@ -54,7 +54,8 @@ struct DirectLight {
   LightSample sample;
   double cos_light = 0;
   Color transmittance = white;
-  bool is_facing() const { return cos_light > 0 && sample.color != black; }
+  double left_out = 0; ///< the most it could have brought to the camera's ray, where nobody looks what is in its way
+  bool is_facing() const { return cos_light > 0 && sample.color != black && left_out == 0; }
 };
 
 /// Where the ray goes from an interaction.

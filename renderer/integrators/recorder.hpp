@@ -16,6 +16,8 @@ struct LightRecord {
   double cos_light = 0;    ///< n·l
   Color filter = white;    ///< what surfaces on the way leave of the light
   ReflectedLight reflected;
+  double left_out = 0; ///< the most that it could have brought to the camera's ray, where `min_weight` says not to look
+                       ///< what is in its way: nothing is reflected then
 };
 
 /// Listens to the integrator. This one does nothing and costs nothing; a recorder replaces what it wants to hear.

@@ -78,11 +78,17 @@ public:
     record.sample = direct.sample;
     record.cos_light = direct.cos_light;
     record.filter = direct.transmittance;
+    record.left_out = direct.left_out;
     if (direct.is_facing() && direct.transmittance != black)
-      record.reflected = at.bsdf.evaluate(direct.sample.color * direct.transmittance, at.path->ray.direction, at.normal,
-                                          direct.sample.to_light, direct.cos_light, scene_.lights()[index].shadows);
+      record.reflected = reflected(at, direct, scene_.lights()[index].shadows);
     recorder_.light(record, at.surface);
     at.light += record.reflected.sum();
+  }
+
+  /// What is reflected of a light that faces the surface, after shadows.
+  static ReflectedLight reflected(const Interaction& at, const DirectLight& direct, bool has_highlight) {
+    return at.bsdf.evaluate(direct.sample.color * direct.transmittance, at.path->ray.direction, at.normal,
+                            direct.sample.to_light, direct.cos_light, has_highlight);
   }
 
   static bool is_scattering(const Interaction& at) { return at.bsdf.is_mirror() || at.bsdf.is_transparent(); }

@@ -89,7 +89,8 @@ public:
 
   void light(const LightRecord& record, const Surface& surface) {
     if (!is_expanded()) return;
-    last().lights.push_back({record, record.filter == white ? std::vector<InTheWay>{} : in_the_way(record, surface)});
+    last().lights.push_back({record, record.filter == white || record.left_out > 0 ? std::vector<InTheWay>{}
+                                                                                   : in_the_way(record, surface)});
   }
 
   void reflection(const Color& rho, double reflectance, double cosine, double eta) {

@@ -129,6 +129,7 @@ private:
     j["n_dot_l"] = to_json(r.cos_light);
     j["highlight_cosine"] = to_json(r.reflected.cos_highlight);
     j["filter"] = to_json(r.filter);
+    if (r.left_out > 0) j["left_out"] = r.left_out;
     json in_the_way = json::array();
     for (const InTheWay& w : node.in_the_way)
       in_the_way.push_back({{"objects", objects_json(answer_.scene, w.path)},

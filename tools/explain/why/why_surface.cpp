@@ -105,6 +105,12 @@ std::string cosine_text(std::string_view name, double cosine) {
   return fmt::format("{} = {} ({})", name, number_text(cosine), angle_text(cosine));
 }
 
+std::string left_out_text(const Answer& answer, double weight) {
+  return fmt::format(
+      "not followed: its weight is at most {} of white, and min_weight {} leaves out what changes so little",
+      number_text(weight), number_text(scene::min_weight(answer.scene)));
+}
+
 std::string in_the_way_text(const Answer& answer, const LightNode& light) {
   if (light.in_the_way.empty()) return "nothing is in the way";
   const InTheWay& last = light.in_the_way.back();
@@ -163,6 +169,7 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
   if (r.sample.color == black)
     return page.line(indent,
                      fmt::format("{}: {}", facing, r.sample.spot == 0 ? "outside its cone" : "it gives no light"));
+  if (r.left_out > 0) return page.line(indent, fmt::format("{}: {}", facing, left_out_text(answer, r.left_out)));
   page.line(indent,
             fmt::format("{}; {}", facing,
                         light.shadows ? in_the_way_text(answer, node) : "nothing can block it (shadows: false)"));
@@ -240,15 +247,6 @@ void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int i
                                                       : fmt::format(", of which the surfaces before it transmit {}",
                                                                     color_text(s.passed * s.shading()))));
 }
-
-namespace {
-
-std::string left_out_text(const Answer& answer, double weight) {
-  return fmt::format("not followed: its weight is {} of white, and min_weight {} leaves out what changes so little",
-                     number_text(weight), number_text(scene::min_weight(answer.scene)));
-}
-
-} // namespace
 
 void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   const MirrorNode& mirror = *s.mirror;

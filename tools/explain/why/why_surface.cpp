@@ -106,9 +106,8 @@ std::string cosine_text(std::string_view name, double cosine) {
 }
 
 std::string left_out_text(const Answer& answer, double weight) {
-  return fmt::format(
-      "not followed: its weight is at most {} of white, and min_weight {} leaves out what changes so little",
-      number_text(weight), number_text(scene::min_weight(answer.scene)));
+  return fmt::format("not followed: it weighs at most {} of white, and min_weight {} leaves out what changes so little",
+                     number_text(weight), number_text(scene::min_weight(answer.scene)));
 }
 
 std::string in_the_way_text(const Answer& answer, const LightNode& light) {

@@ -17,6 +17,7 @@ Outcome on_screen(const TestFolder& folder, const std::string& script) {
   folder.write("session.sh", R"(set -e
 view() {
   )" RTLANG_BINARY R"( view scene.rtl > out.txt 2> err.txt &
+  program=$!
   window=$(timeout 20 xdotool search --sync --onlyvisible --name '^scene.rtl')
   xdotool windowfocus --sync $window
 }
@@ -26,9 +27,10 @@ until_holds() { for i in $(seq 200); do grep -qs -- "$2" $1 && return; sleep 0.1
 )" + script);
   RunOptions options;
   options.folder = folder.path();
-  options.environment = {"SDL_VIDEODRIVER=x11"};
+  options.environment = {"SDL_VIDEODRIVER=x11", "PATH=/usr/bin:/bin"};
   options.time_limit = std::chrono::seconds(90);
-  return run_program("/usr/bin/xvfb-run", {"-a", "-s", "-screen 0 800x600x24", "/bin/bash", "session.sh"}, options);
+  return run_program("/bin/sh", {"/usr/bin/xvfb-run", "-a", "-s", "-screen 0 800x600x24", "/bin/bash", "session.sh"},
+                     options);
 }
 
 constexpr const char* scene = "size: [200, 150]\nball = sphere { material: red }\nball\n";
@@ -43,7 +45,7 @@ click 100 75; until_holds out.txt '`ball`'
 press Right c; until_holds out.txt 'camera { at:'
 press p w; until_holds out.txt linear
 press r s; sleep 1; press s; until_holds out.txt 'saved scene.png'
-press Escape; wait %1; echo "exit $?")");
+press Escape; wait $program; echo "exit $?")");
   INFO(outcome.errors);
   CHECK(outcome.output == "exit 0\n");
   CHECK_THAT(folder.read("out.txt"), Contains("pixel (100, 75)"));
@@ -58,7 +60,7 @@ echo 'sphere { radius: }' > scene.rtl; until_holds err.txt 'error'
 click 100 75; until_holds out.txt '`ball`'
 echo 'size: [200, 150] cube = box { size: 2 } cube' > new.rtl; mv new.rtl scene.rtl
 for i in $(seq 100); do click 100 75; grep -q '`cube`' out.txt && break; sleep 0.1; done
-press q; wait %1; echo "exit $?")");
+press q; wait $program; echo "exit $?")");
   INFO(outcome.errors);
   CHECK(outcome.output == "exit 0\n");
   CHECK_THAT(folder.read("out.txt"), Contains("`cube`"));
@@ -67,8 +69,8 @@ press q; wait %1; echo "exit $?")");
 TEST_CASE("window: a signal closes it, and without a screen it says what to do instead") {
   const TestFolder folder;
   folder.write("scene.rtl", scene);
-  const Outcome stopped = on_screen(folder, "view; kill -INT %1; wait %1 || echo \"exit $?\"");
-  CHECK(stopped.output == "exit 130\n");
+  const Outcome stopped = on_screen(folder, "view; kill -TERM $program; wait $program || echo \"exit $?\"");
+  CHECK(stopped.output == "exit 143\n");
   RunOptions options;
   options.folder = folder.path();
   const Outcome blind = rtlang({"view", "scene.rtl"}, options);

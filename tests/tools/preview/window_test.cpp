@@ -58,7 +58,7 @@ TEST_CASE("window: it follows the file, and keeps the last good picture while th
   const Outcome outcome = on_screen(folder, R"(view
 echo 'sphere { radius: }' > scene.rtl; until_holds err.txt 'error'
 click 100 75; until_holds out.txt '`ball`'
-echo 'size: [200, 150] cube = box { size: 2 } cube' > new.rtl; mv new.rtl scene.rtl
+printf 'size: [200, 150]\ncube = box { size: 2 }\ncube\n' > new.rtl; mv new.rtl scene.rtl
 for i in $(seq 100); do click 100 75; grep -q '`cube`' out.txt && break; sleep 0.1; done
 press q; wait $program; echo "exit $?")");
   INFO(outcome.errors);

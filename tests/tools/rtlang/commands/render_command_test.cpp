@@ -234,7 +234,7 @@ TEST_CASE("rtlang render: a progress bar is shown on a terminal and taken away a
   CHECK(run.exit_code == 130);
   CHECK(std::regex_search(
       run.errors, std::regex("^\r\\[[#.]{30}\\] +[0-9]+ %  [0-9.]+ [kM] rays/s  [0-9:]+ (s|min|h) left\x1b\\[K")));
-  CHECK_THAT(run.errors, EndsWith("\r\x1b[Krtlang: stopped\n"));
+  CHECK_THAT(run.errors, EndsWith("\r\x1b[Krtlang: stopped\r\n"));
 }
 
 TEST_CASE("rtlang render: without a terminal there is no progress bar") {

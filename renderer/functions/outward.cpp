@@ -5,10 +5,8 @@
 namespace rt {
 namespace {
 
-constexpr double infinity = Enclosure::infinity;
-
 bool is_unbounded(const Enclosure& e) {
-  return e.lower == -infinity || e.upper == infinity;
+  return e.lower == -Enclosure::infinity || e.upper == Enclosure::infinity;
 }
 
 // A sum of two doubles is 0 only where it is exactly that.
@@ -39,12 +37,12 @@ Enclosure corners(std::initializer_list<double> values, bool may_be_undefined) {
 Enclosure whole_power(const Enclosure& a, double n) {
   const bool is_even = std::fmod(n, 2) == 0;
   if (n < 0 && a.contains(0))
-    return is_even ? Enclosure{0, infinity, a.may_be_undefined} : Enclosure::whole(a.may_be_undefined);
+    return is_even ? Enclosure{0, Enclosure::infinity, a.may_be_undefined} : Enclosure::whole(a.may_be_undefined);
   const Enclosure base = is_even ? magnitude(a) : a;
   double low = std::pow(base.lower, n), high = std::pow(base.upper, n);
   if (n < 0) std::swap(low, high);
   const Enclosure e = outward(low, high, a.may_be_undefined, 2);
-  if (base.lower >= 0) return held(e, 0, infinity);
+  if (base.lower >= 0) return held(e, 0, Enclosure::infinity);
   return e;
 }
 
@@ -53,7 +51,7 @@ Enclosure positive_power(const Enclosure& a, const Enclosure& b, bool may_be_und
   const Enclosure e = corners(
       {std::pow(a.lower, b.lower), std::pow(a.lower, b.upper), std::pow(a.upper, b.lower), std::pow(a.upper, b.upper)},
       may_be_undefined);
-  return held(outward(e.lower, e.upper, may_be_undefined, 2), 0, infinity);
+  return held(outward(e.lower, e.upper, may_be_undefined, 2), 0, Enclosure::infinity);
 }
 
 } // namespace
@@ -69,8 +67,8 @@ Enclosure magnitude(const Enclosure& a) {
 }
 
 Enclosure sum(const Enclosure& a, const Enclosure& b) {
-  const bool has_opposite_infinities =
-      (a.lower == -infinity && b.upper == infinity) || (a.upper == infinity && b.lower == -infinity);
+  const bool has_opposite_infinities = (a.lower == -Enclosure::infinity && b.upper == Enclosure::infinity) ||
+                                       (a.upper == Enclosure::infinity && b.lower == -Enclosure::infinity);
   return outward(sum_below(a.lower, b.lower), -sum_below(-a.upper, -b.upper),
                  a.may_be_undefined || b.may_be_undefined || has_opposite_infinities, 0);
 }
@@ -123,7 +121,7 @@ Enclosure power(const Enclosure& a, const Enclosure& b) {
   if (is_constant && b.lower == std::floor(b.lower)) return whole_power({a.lower, a.upper, is_undefined}, b.lower);
   if (a.lower == 0 && b.lower < 0 && !is_constant) return Enclosure::whole(is_undefined); // (−0)^−1 is −∞
   if (a.lower >= 0) return positive_power(a, b, is_undefined);
-  if (!is_constant || a.upper < 0 || a.lower == -infinity) return Enclosure::whole(true);
+  if (!is_constant || a.upper < 0 || a.lower == -Enclosure::infinity) return Enclosure::whole(true);
   return positive_power({0, a.upper, true}, b, true);
 }
 

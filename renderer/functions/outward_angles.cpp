@@ -51,7 +51,9 @@ Enclosure tangent(const Enclosure& a) {
   const double start = std::fmod(a.lower, 360.0), end_width = next_up(width);
   if (holds_angle(start, end_width, 90) || holds_angle(start, end_width, 270))
     return Enclosure::whole(a.may_be_undefined);
-  const auto at = [](double angle) { return quotient(sine(Enclosure::of(angle)), cosine(Enclosure::of(angle))); };
+  const auto at = [](double angle) {
+    return quotient(rt::sine(Enclosure::of(angle)), rt::cosine(Enclosure::of(angle)));
+  };
   Enclosure e = hull(at(a.lower), at(a.upper));
   e.may_be_undefined = a.may_be_undefined;
   return e;

@@ -115,7 +115,7 @@ private:
   template <std::size_t Size>
   void intersect(std::span<PathState* const> paths, StaticVector<Interaction, Size>& interactions) {
     StaticVector<RayHit, Size> hits;
-    if (Size > 1 && paths.size() >= least_batch && std::ranges::none_of(paths, is_in_contact)) {
+    if (Size > 1 && paths.size() >= least_batch && !are_in_contact(paths)) {
       StaticVector<Ray, Size> rays;
       for (const PathState* path : paths) rays.add([&] { return path->ray; }), hits.add([] { return RayHit{}; });
       scene_.nearest(rays, Rules::hit_range(), hits, scratch_[0]);
@@ -146,7 +146,11 @@ private:
       model_.absorb(path, length);
   }
 
-  static bool is_in_contact(const PathState* path) { return path->contact.is_inside(); }
+  // Few scenes have surfaces that touch: as long as none were met, no path is looked at.
+  bool are_in_contact(std::span<PathState* const> paths) const {
+    return has_contacts_ && std::ranges::any_of(paths, [this](const PathState* path) { return is_in_contact(path); });
+  }
+  bool is_in_contact(const PathState* path) const { return has_contacts_ && path->contact.is_inside(); }
 
   template <std::size_t Size, class MakeSurface>
   void arrive(PathState& path, const RayHit& hit, MakeSurface&& surface,
@@ -167,6 +171,7 @@ private:
       if (!hit.is_contested)
         return arrive(
             path, hit, [&] { return scene_.surface(path.ray, hit); }, interactions);
+      has_contacts_ = true;
       path.contact =
           contacts.meet(scene_, path.ray, rest, hit, path.inside, path.tree->media, path.contacts_from, scratch_[0]);
       if (is_in_contact(&path)) {
@@ -345,8 +350,8 @@ private:
   }
 
   template <std::size_t Size>
-  static void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, const Ray& ray, const Color& weight,
-                  MediumStacks::List inside) {
+  void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, const Ray& ray, const Color& weight,
+           MediumStacks::List inside) {
     const PathState& from = *s.at->path;
     batch.from[batch.paths.size()] = &s;
     PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.tree}; });
@@ -365,6 +370,7 @@ private:
   std::array<TraceScratch, camera_batch_size> scratch_;
   std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; they serve until rays branch
   RayCounts counts_;
+  bool has_contacts_ = false; // surfaces that touch were met
 };
 
 } // namespace rt

@@ -36,9 +36,11 @@ struct OwnRules {
   }
 
   /// The shading normal turned to the viewer of a ray that comes in this direction: as the surface itself is turned, so
-  /// that an interpolated normal is lit from one side all over the surface, even where it faces away beyond a rim.
+  /// that an interpolated normal is lit from one side all over the surface, even where it faces away beyond a rim. (The
+  /// order of a triangle's corners may be the other one than its normals suggest.)
   static Vec3 turned_normal(const Surface& surface, const Vec3& direction) {
-    return dot(surface.geometric_normal, direction) > 0 ? -surface.shading_normal : surface.shading_normal;
+    const Vec3 &face = surface.geometric_normal, &shading = surface.shading_normal;
+    return dot(face, direction) * dot(face, shading) > 0 ? -shading : shading;
   }
 
   /// What weak rays that are not followed may weigh together.

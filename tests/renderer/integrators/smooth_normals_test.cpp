@@ -23,7 +23,8 @@ void add_triangle(SceneBuilder& k, const std::array<Vec3, 3>& points, const std:
   k.add(k.shape(t).with(material));
 }
 
-// With corners on the unit sphere, and the sphere's normals there.
+// With corners on the unit sphere, in an order that changes from one triangle to the next, and the sphere's normals
+// there.
 void add_ball(SceneBuilder& k, int segments, scene::MaterialId material) {
   const auto corner = [&](int i, int j) {
     const double polar = pi * i / segments, around = pi * j / segments;
@@ -33,7 +34,7 @@ void add_ball(SceneBuilder& k, int segments, scene::MaterialId material) {
     for (int j = 0; j < 2 * segments; ++j) {
       const Vec3 a = corner(i, j), b = corner(i, j + 1), c = corner(i + 1, j), d = corner(i + 1, j + 1);
       if (i > 0) add_triangle(k, {a, b, c}, {a, b, c}, material);
-      if (i + 1 < segments) add_triangle(k, {b, d, c}, {b, d, c}, material);
+      if (i + 1 < segments) add_triangle(k, {d, b, c}, {d, b, c}, material);
     }
   }
 }

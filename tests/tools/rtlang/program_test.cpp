@@ -100,7 +100,8 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"scene.rtl", "--size", "0x6"}) == "rtlang: --size takes whole numbers from 1 to 65536, not 0");
   CHECK(message({"scene.rtl", "--size"}) == "rtlang: --size takes a value: --size WxH");
   CHECK_THAT(message({"scene.rtl", "--samples", "3"}), StartsWith("rtlang: --samples cannot be 3: "));
-  CHECK(message({"scene.rtl", "--mode", "radiosity"}) == "rtlang: --mode takes one of whitted, path, occlusion, not `radiosity`");
+  CHECK(message({"scene.rtl", "--mode", "radiosity"}) ==
+        "rtlang: --mode takes one of whitted, path, occlusion, not `radiosity`");
   CHECK(message({"scene.rtl", "--time", "9s"}) ==
         "rtlang: --time does not go with the mode whitted, which takes as long as it takes");
   CHECK(message({"scene.rtl", "--mode", "path", "--time", "soon"}) ==

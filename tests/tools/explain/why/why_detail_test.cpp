@@ -50,10 +50,10 @@ TEST_CASE("why: where no light comes, the path is the one along which most would
 TEST_CASE("why: the path alone is what a screen holds, and the terms that make 90 % of the colour") {
   // The slab's rays, at right angles: in, out, and what is mirrored at either side, to and fro inside. 0.81 comes
   // through at once, and in all 0.04 + 0.81·(1 + 0.04 + 0.04² + …) = 0.88375, of which it is 91.7 %.
-  const auto asked =
-      along("background: #fff\nambient: 0, min_weight: 0\nbox { from: [-9, -9, -9], to: [9, 0, 9], material: material { "
-            "refract: 0.9, reflect: 0.04, ior: 1.5 } }",
-            {0, 1, 0}, {0, -1, 0});
+  const auto asked = along(
+      "background: #fff\nambient: 0, min_weight: 0\nbox { from: [-9, -9, -9], to: [9, 0, 9], material: material { "
+      "refract: 0.9, reflect: 0.04, ior: 1.5 } }",
+      {0, 1, 0}, {0, -1, 0});
   const std::string text = explain::why_text(asked->answer, {}), tree = explain::why_text(asked->answer, whole);
   CHECK(std::count(text.begin(), text.end(), '\n') < 40);
   CHECK(std::count(tree.begin(), tree.end(), '\n') > 150);
@@ -69,10 +69,10 @@ TEST_CASE("why: the path alone is what a screen holds, and the terms that make 9
 }
 
 TEST_CASE("why: --least sums up rays of little weight, wherever they are") {
-  const auto asked =
-      along("background: #fff\nambient: 0, min_weight: 0\nbox { from: [-9, -9, -9], to: [9, 0, 9], material: material { "
-            "refract: 0.9, reflect: 0.04, ior: 1.5 } }",
-            {0, 1, 0}, {0, -1, 0});
+  const auto asked = along(
+      "background: #fff\nambient: 0, min_weight: 0\nbox { from: [-9, -9, -9], to: [9, 0, 9], material: material { "
+      "refract: 0.9, reflect: 0.04, ior: 1.5 } }",
+      {0, 1, 0}, {0, -1, 0});
   const explain::Detail strong{.least = 0.5};
   const json first = explain::why_json(asked->answer, strong)["tree"]["surfaces"].at(0);
   CHECK_FALSE(first["mirror"]["ray"].contains("surfaces")); // 0.04

@@ -10,7 +10,7 @@ namespace {
 
 using What = OutlineEntry::What;
 
-std::string first_line(std::string_view text) {
+std::string headline(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
@@ -69,7 +69,7 @@ private:
       const Declaration& d = program_.references[id];
       const Span whole = d.unit->ast.span(d.item);
       list.push_back({what_of(d.what), std::string(program_.sources.text(d.span)),
-                      first_line(program_.sources.text(whole)), whole, d.span, declared_in(id)});
+                      headline(program_.sources.text(whole)), whole, d.span, declared_in(id)});
     }
     return list;
   }
@@ -82,7 +82,7 @@ private:
     if (word.begin == word.end) return;
     list.push_back({kind == Kind::property ? What::property : What::thing,
                     std::string(program_.sources.text(word)),
-                    first_line(program_.sources.text(whole)),
+                    headline(program_.sources.text(whole)),
                     whole,
                     word,
                     {}});

@@ -4,6 +4,7 @@
 #include "tests/support/program.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 using namespace rt::tests;
 using Catch::Matchers::Contains;
@@ -29,7 +30,10 @@ until_holds() { for i in $(seq 200); do grep -qs -- "$2" $1 && return; sleep 0.1
   options.folder = folder.path();
   options.environment = {"SDL_VIDEODRIVER=x11", "PATH=/usr/bin:/bin"};
   options.time_limit = std::chrono::seconds(90);
-  return run_program("/bin/sh", {"/usr/bin/xvfb-run", "-a", "-s", "-screen 0 800x600x24", "/bin/bash", "session.sh"},
+  // Tests that run at once look for a free screen each from a place of its own.
+  const std::string first = std::to_string(100 + ::getpid() % 5000);
+  return run_program("/bin/sh",
+                     {"/usr/bin/xvfb-run", "-a", "-n", first, "-s", "-screen 0 800x600x24", "/bin/bash", "session.sh"},
                      options);
 }
 

@@ -112,6 +112,10 @@ Color CompiledScene::transmittance(const Ray& ray, const Interval& range, TraceS
 
 void CompiledScene::nearest(std::span<const Ray> rays, const Interval& range, std::span<RayHit> hits,
                             TraceScratch& scratch) const {
+  if (rays.size() == 1) {
+    hits[0] = nearest(rays[0], range, scratch);
+    return;
+  }
   StaticVector<NearestQuery, bvh::packet_size> queries;
   std::array<bvh::Query*, bvh::packet_size> packet;
   for (std::size_t i = 0; i < rays.size(); ++i) {

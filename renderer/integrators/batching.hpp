@@ -61,6 +61,8 @@ private:
   // With smaller parts weaker branches are followed, with larger ones too little is left for the last where light is
   // caught in glass and comes out in many places.
   static constexpr double most_at_once = 1.0 / 16;
+  // What a light gives to a ray of this weight is hardly ever so little: that is not worked out twice.
+  static constexpr double least_strong = 1.0 / 16;
 
   // Rays that leave a batch's surfaces in the same way, and where each comes from.
   template <std::size_t Size>
@@ -219,6 +221,7 @@ private:
   static void leave_out_weak(const Interaction& at, DirectLight& direct) {
     const PathState& path = *at.path;
     if (path.tree->allowance == 0 || !direct.is_facing()) return;
+    if (weight_of(path, white) > least_strong) return;
     const double most = weight_of(path, Model::reflected(at, direct, true).sum());
     if (may_be_missing(*path.tree, most)) direct.left_out = most;
   }

@@ -19,10 +19,7 @@ public:
     counts_.camera += rays.size();
     StaticVector<RayHit, camera_batch_size> hits;
     for (std::size_t i = 0; i < rays.size(); ++i) hits.add([] { return RayHit{}; });
-    if (rays.size() > 1)
-      scene_.nearest(rays, OwnRules::hit_range(), hits, scratch_);
-    else
-      hits[0] = scene_.nearest(rays[0], OwnRules::hit_range(), scratch_);
+    scene_.nearest(rays, OwnRules::hit_range(), hits, scratch_);
     for (std::size_t i = 0; i < rays.size(); ++i) results[i] = is_open(rays[i], hits[i], streams[i]) ? white : black;
   }
   const RayCounts& counts() const override { return counts_; }

@@ -53,10 +53,7 @@ void PathTracer::radiance(std::span<const Ray> rays, std::span<const SampleStrea
   counts_.camera += rays.size();
   StaticVector<RayHit, camera_batch_size> hits;
   for (std::size_t i = 0; i < rays.size(); ++i) hits.add([] { return RayHit{}; });
-  if (rays.size() > 1)
-    scene_.nearest(rays, OwnRules::hit_range(), hits, scratch_);
-  else
-    hits[0] = scene_.nearest(rays[0], OwnRules::hit_range(), scratch_);
+  scene_.nearest(rays, OwnRules::hit_range(), hits, scratch_);
   for (std::size_t i = 0; i < rays.size(); ++i) results[i] = follow(rays[i], hits[i], streams[i], inside);
 }
 

@@ -69,8 +69,8 @@ struct LeafSet {
   const void* leaves;
   void (*nearest)(const void* leaves, std::uint32_t i, Query& query);
   bool (*blocks)(const void* leaves, std::uint32_t i, Query& query);
-  void (*nearest_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
-  /// The result: those that it blocks.
+  /// The result: those whose intervals it shortens; those that it blocks.
+  QueryMask (*nearest_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   QueryMask (*blocks_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   Box3 (*bounds)(const void* leaves, std::uint32_t i);
   std::uint32_t size;
@@ -105,8 +105,14 @@ public:
                      },
                      [](const void* all, std::uint32_t i, Query* const* queries, QueryMask which) {
                        const auto& set = *static_cast<const Leaves*>(all);
-                       for (; which != 0; which &= which - 1)
-                         set.nearest(i, static_cast<NearestQuery&>(*queries[std::countr_zero(which)]));
+                       QueryMask shortened = 0;
+                       for (; which != 0; which &= which - 1) {
+                         auto& query = static_cast<NearestQuery&>(*queries[std::countr_zero(which)]);
+                         const double before = query.interval.upper;
+                         set.nearest(i, query);
+                         if (query.interval.upper < before) shortened |= which & -which;
+                       }
+                       return shortened;
                      },
                      [](const void* all, std::uint32_t i, Query* const* queries, QueryMask which) {
                        const auto& set = *static_cast<const Leaves*>(all);

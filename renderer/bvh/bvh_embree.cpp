@@ -61,10 +61,10 @@ bool meets(const Query& query, const Box3& box, double& start) {
   return from <= to;
 }
 
-QueryMask queries_of(const int* are_valid, RTCRayN* rays, unsigned count) {
+// Of a packet, whose lanes are its queries.
+QueryMask queries_of(const int* are_valid) {
   QueryMask mask = 0;
-  for (unsigned lane = 0; lane < count; ++lane)
-    if (are_valid[lane] != 0) mask |= QueryMask{1} << RTCRayN_id(rays, count, lane);
+  for (unsigned lane = 0; lane < packet_size; ++lane) mask |= (static_cast<QueryMask>(are_valid[lane]) & 1) << lane;
   return mask;
 }
 
@@ -125,7 +125,8 @@ inline float EmbreeTree::single_t(const Query& query) {
   return t < std::numeric_limits<float>::max() ? static_cast<float>(t) : single_infinity;
 }
 
-// From Embree's lanes to the leaf's own function, which knows nothing of them. A ray's id is its query's number.
+// From Embree's lanes to the leaf's own function, which knows nothing of them. A ray's id is its query's number; a
+// packet comes as it was sent, in sixteen lanes.
 void EmbreeTree::on_nearest(const RTCIntersectFunctionNArguments* args) {
   const Geometry& set = *static_cast<const Geometry*>(args->geometryUserPtr);
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
@@ -137,11 +138,12 @@ void EmbreeTree::on_nearest(const RTCIntersectFunctionNArguments* args) {
     if (query.interval.upper < before) ray.tfar = single_t(query);
     return;
   }
-  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
-  const QueryMask which = queries_of(args->valid, rays, args->N);
-  set.nearest_of(set.leaves, args->primID, queries, which);
-  for (unsigned lane = 0; lane < args->N; ++lane)
-    if (args->valid[lane] != 0) RTCRayN_tfar(rays, args->N, lane) = single_t(*queries[RTCRayN_id(rays, args->N, lane)]);
+  RTCRay16& rays = reinterpret_cast<RTCRayHit16*>(args->rayhit)->ray;
+  QueryMask shortened = set.nearest_of(set.leaves, args->primID, queries, queries_of(args->valid));
+  for (; shortened != 0; shortened &= shortened - 1) {
+    const int lane = std::countr_zero(shortened);
+    rays.tfar[lane] = single_t(*queries[lane]);
+  }
 }
 
 void EmbreeTree::on_blocks(const RTCOccludedFunctionNArguments* args) {
@@ -152,10 +154,9 @@ void EmbreeTree::on_blocks(const RTCOccludedFunctionNArguments* args) {
     if (set.blocks(set.leaves, args->primID, *queries[ray.id])) ray.tfar = -single_infinity;
     return;
   }
-  const QueryMask blocked =
-      set.blocks_of(set.leaves, args->primID, queries, queries_of(args->valid, args->ray, args->N));
-  for (unsigned lane = 0; lane < args->N; ++lane)
-    if (blocked >> RTCRayN_id(args->ray, args->N, lane) & 1) RTCRayN_tfar(args->ray, args->N, lane) = -single_infinity;
+  RTCRay16& rays = *reinterpret_cast<RTCRay16*>(args->ray);
+  QueryMask blocked = set.blocks_of(set.leaves, args->primID, queries, queries_of(args->valid));
+  for (; blocked != 0; blocked &= blocked - 1) rays.tfar[std::countr_zero(blocked)] = -single_infinity;
 }
 
 struct EmbreeTree::SingleRay {

@@ -187,10 +187,8 @@ Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
   const LeafSurface s = surface_in(*root_, bindings, ray, hit, 0);
   const Vec3& normal = s.point.normal;
   const BindingId medium = s.medium.value_or(bindings.default_binding());
-  return {s.point.position,
-          normal,
+  return {s.point,
           s.shading_normal ? s.shading_normal->value(normal) : normal,
-          s.point.error,
           order(hit),
           bindings.material(s.binding),
           bindings.material(medium),

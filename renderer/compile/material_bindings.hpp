@@ -55,9 +55,9 @@ public:
   bool absorbs() const { return materials_.absorbs(); }
 
   /// Where the patterns see the point `p` of the space where the binding is looked up.
-  Vec3 pattern_point(BindingId binding, const Vec3& p) const {
-    const MaterialBinding& b = at(binding);
-    return b.place == nowhere ? p : places_[b.place].point(p);
+  [[gnu::always_inline]] Vec3 pattern_point(BindingId binding, const Vec3& p) const {
+    const std::uint32_t place = at(binding).place;
+    return place == nowhere ? p : point_at(place, p);
   }
   /// The values at a point of that kind. `scratch` holds them where they are not constant.
   const MaterialValues& values(std::uint32_t material, const Vec3& pattern_point, MaterialValues& scratch) const {
@@ -66,8 +66,10 @@ public:
   }
   /// The fraction that a surface lets through of the light that crosses it.
   Color transmittance(BindingId binding, const Vec3& p) const {
-    MaterialValues scratch;
-    const MaterialValues& v = values(at(binding).material, pattern_point(binding, p), scratch);
+    const std::uint32_t material = at(binding).material;
+    const MaterialValues& constant = materials_.constant(material);
+    if (!materials_.has_patterns(material)) return constant.color * constant.refract;
+    const MaterialValues v = materials_.at(material, pattern_point(binding, p));
     return v.color * v.refract;
   }
 
@@ -82,6 +84,7 @@ private:
     bool shines;
   };
   const MaterialBinding& at(BindingId id) const { return bindings_[static_cast<std::size_t>(id)]; }
+  [[gnu::noinline]] Vec3 point_at(std::uint32_t place, const Vec3& p) const { return places_[place].point(p); }
 
   Materials materials_;
   std::vector<MaterialBinding> bindings_; // first that of the default material

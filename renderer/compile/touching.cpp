@@ -12,17 +12,17 @@ namespace rt {
 namespace {
 
 double distance_apart(const Surface& from, const Surface& to) {
-  return std::abs(dot(to.point - from.point, to.geometric_normal));
+  return std::abs(dot(to.position - from.position, to.normal));
 }
 
 // By the refined points: whether the ray passes `a` before `b`, however their distances along the ray were rounded.
 bool is_before(const Surface& a, const Surface& b, const Vec3& direction) {
-  const Vec3& n = a.geometric_normal;
-  return dot(a.point - b.point, n) * dot(direction, n) < 0;
+  const Vec3& n = a.normal;
+  return dot(a.position - b.position, n) * dot(direction, n) < 0;
 }
 
 bool is_met_from_front(const MetSurface& m, const Ray& ray) {
-  return dot(m.surface.geometric_normal, ray.direction) < 0;
+  return dot(m.surface.normal, ray.direction) < 0;
 }
 
 // Leaves those that touch the one that is passed first.
@@ -37,7 +37,7 @@ void keep_first_place(const Ray& ray, std::vector<MetSurface>& surfaces) {
 void start_beyond_all(std::vector<MetSurface>& surfaces) {
   for (MetSurface& m : surfaces)
     for (const MetSurface& other : surfaces)
-      m.surface.offset = std::max(m.surface.offset, distance_apart(m.surface, other.surface) + other.error);
+      m.surface.error = std::max(m.surface.error, distance_apart(m.surface, other.surface) + other.error);
 }
 
 // Puts the surfaces that count first, and gives their number.
@@ -65,7 +65,7 @@ std::size_t select(const Ray& ray, std::vector<MetSurface>& surfaces) {
 } // namespace
 
 bool touch(const Surface& a, const Surface& b) {
-  return std::max(distance_apart(a, b), distance_apart(b, a)) <= a.offset + b.offset;
+  return std::max(distance_apart(a, b), distance_apart(b, a)) <= a.error + b.error;
 }
 
 double TouchingSurfaces::end() const {
@@ -81,7 +81,7 @@ void find_touching(const CompiledScene& scene, const Ray& ray, const Interval& r
     if (which == Touching::casting && !scene.casts_shadow(hit)) continue;
     MetSurface& met = found.surfaces.emplace_back(MetSurface{hit, scene.surface(ray, hit)});
     MaterialValues values;
-    met.error = met.surface.offset;
+    met.error = met.surface.error;
     met.is_opaque = scene.values(met.surface, values).refract == 0;
   }
   keep_first_place(ray, found.surfaces);
@@ -105,10 +105,10 @@ std::optional<MetSurface> first_surface(const CompiledScene& scene, const Ray& r
 void sort_inside_out(const CompiledScene& scene, const Ray& ray, std::span<MetSurface> entered) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Surface& at = entered.front().surface;
-  const Vec3& normal = at.geometric_normal;
+  const Vec3& normal = at.normal;
   const Vec3 into = dot(normal, ray.direction) < 0 ? -normal : normal;
   const Vec3 u = normalize(cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-  const Vec3 v = cross(normal, u), start = at.point + into * at.offset;
+  const Vec3 v = cross(normal, u), start = at.position + into * at.error;
 
   struct Entered {
     MetSurface met;

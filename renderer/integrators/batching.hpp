@@ -62,7 +62,7 @@ private:
   // caught in glass and comes out in many places.
   static constexpr double most_at_once = 1.0 / 16;
   // What a light gives to a ray of this weight is hardly ever so little: that is not worked out twice.
-  static constexpr double least_strong = 1.0 / 16;
+  static constexpr double least_strong = 1.0 / 512;
 
   // Rays that leave a batch's surfaces in the same way, and where each comes from.
   template <std::size_t Size>
@@ -207,7 +207,7 @@ private:
       const Light& light = scene_.lights()[index];
       StaticVector<DirectLight, Size> direct;
       for (const Interaction& at : interactions) {
-        DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, at.surface.point)}; });
+        DirectLight& d = direct.add([&] { return DirectLight{sample_light(light, at.surface.position)}; });
         d.cos_light = dot(at.normal, d.sample.to_light);
         if (light.shadows && at.path->kind != RayKind::camera) leave_out_weak(at, d);
       }
@@ -220,8 +220,11 @@ private:
   // A light is not asked for what is in its way where all of it is allowed to be missing.
   static void leave_out_weak(const Interaction& at, DirectLight& direct) {
     const PathState& path = *at.path;
-    if (path.tree->allowance == 0 || !direct.is_facing()) return;
-    if (weight_of(path, white) > least_strong) return;
+    if (path.tree->allowance == 0 || weight_of(path, white) > least_strong) return;
+    if (direct.is_facing()) leave_out_if_weak(at, direct);
+  }
+  [[gnu::noinline]] static void leave_out_if_weak(const Interaction& at, DirectLight& direct) {
+    const PathState& path = *at.path;
     const double most = weight_of(path, Model::reflected(at, direct, true).sum());
     if (may_be_missing(*path.tree, most)) direct.left_out = most;
   }
@@ -319,8 +322,9 @@ private:
   template <std::size_t Size>
   void mirror(const Scattering& s, RayBatch<Size>& batch) {
     ++counts_.reflected;
-    add(batch, s.terms.is_total ? RayKind::total_reflection : RayKind::reflected, s, model_.mirror(s), s.terms.rho,
-        s.at->path->inside);
+    add(
+        batch, s.terms.is_total ? RayKind::total_reflection : RayKind::reflected, s, [&] { return model_.mirror(s); },
+        s.terms.rho, s.at->path->inside);
   }
 
   // True if the ray goes on unbent: then the path is the one behind the surface.
@@ -333,7 +337,8 @@ private:
     const MediumStacks::List behind =
         s.is_thin ? path.inside : path.tree->media.after(path.inside, s.medium, path.owned_from);
     if (!s.terms.is_bent) return model_.transmit_straight(s, behind, depth);
-    add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
+    add(
+        batch, RayKind::refracted, s, [&] { return Model::refracted(s); }, s.terms.tau, behind);
     return false;
   }
 
@@ -342,7 +347,8 @@ private:
     PathState& path = *s.at->path;
     const MediumStacks::List behind = path.tree->contacts.behind(path.contact);
     if (s.terms.is_bent) {
-      add(batch, RayKind::refracted, s, Model::refracted(s), s.terms.tau, behind);
+      add(
+          batch, RayKind::refracted, s, [&] { return Model::refracted(s); }, s.terms.tau, behind);
       return false;
     }
     if (!model_.transmit_straight(s, behind, depth)) return false;
@@ -352,15 +358,16 @@ private:
     return true;
   }
 
-  template <std::size_t Size>
-  void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, const Ray& ray, const Color& weight,
+  // The ray is made where it stays, which costs less than to copy it.
+  template <std::size_t Size, class MakeRay>
+  void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, MakeRay&& make_ray, const Color& weight,
            MediumStacks::List inside) {
     const PathState& from = *s.at->path;
     batch.from[batch.paths.size()] = &s;
-    PathState& path = batch.paths.add([&] { return PathState{kind, ray, inside, from.tree}; });
+    PathState& path = batch.paths.add([&] { return PathState{kind, make_ray(), inside, from.tree}; });
     path.contacts_from = from.contacts_from;
     if (is_in_contact(&from)) [[unlikely]] {
-      path.contact = from.tree->contacts.after(from.contact, ray.direction);
+      path.contact = from.tree->contacts.after(from.contact, path.ray.direction);
       path.contacts_from = from.contact.begin + from.contact.count;
     }
     path.weight = from.weight * from.passed * weight;

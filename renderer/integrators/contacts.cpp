@@ -39,7 +39,7 @@ MediumTransition Contacts::transition(const Position& p, const MediumStacks& med
 
 Contacts::Position Contacts::after(const Position& p, const Vec3& direction) const {
   const ContactSurface& s = surface(p);
-  const Vec3& n = s.surface.geometric_normal;
+  const Vec3& n = s.surface.normal;
   const bool is_backward = dot(s.ray.direction, n) * dot(direction, n) < 0;
   if (p.next == (is_backward ? 0 : p.count - 1)) return {};
   return {p.begin, p.count, is_backward ? p.next - 1 : p.next + 1, is_backward};

@@ -62,10 +62,10 @@ struct DirectLight {
 struct Scattering {
   const Interaction* at;
   Medium medium; ///< behind the surface, or before it
-  MediumTransition transition{};
-  double eta = 1; ///< ior before the surface by the ior behind it
-  SpecularTerms terms{};
-  bool is_thin = false; ///< what passes is in the same medium as before
+  MediumTransition transition;
+  double eta; ///< ior before the surface by the ior behind it
+  SpecularTerms terms;
+  bool is_thin; ///< what passes is in the same medium as before
 };
 
 } // namespace rt

@@ -14,8 +14,8 @@ namespace rt {
 struct OwnRules {
   /// Where a ray leaves a surface: beyond the rounding of the point, on the side it goes to.
   static Ray leave(const Surface& surface, const Vec3& direction) {
-    const double side = dot(surface.geometric_normal, direction) < 0 ? -surface.offset : surface.offset;
-    return {surface.point + surface.geometric_normal * side, direction};
+    const double side = dot(surface.normal, direction) < 0 ? -surface.error : surface.error;
+    return {surface.position + surface.normal * side, direction};
   }
 
   /// The range in which hits of a camera, mirrored or refracted ray count.
@@ -39,7 +39,7 @@ struct OwnRules {
   /// that an interpolated normal is lit from one side all over the surface, even where it faces away beyond a rim. (The
   /// order of a triangle's corners may be the other one than its normals suggest.)
   static Vec3 turned_normal(const Surface& surface, const Vec3& direction) {
-    const Vec3 &face = surface.geometric_normal, &shading = surface.shading_normal;
+    const Vec3 &face = surface.normal, &shading = surface.shading_normal;
     return dot(face, direction) * dot(face, shading) > 0 ? -shading : shading;
   }
 
@@ -65,7 +65,7 @@ struct ExportedRules : OwnRules {
 /// POV-Ray's, for explaining where its pictures differ from ours. Its distances are in lengths of the scene.
 struct PovrayRules {
   /// Rays start on the surface, and what is too near is not hit.
-  static Ray leave(const Surface& surface, const Vec3& direction) { return {surface.point, direction}; }
+  static Ray leave(const Surface& surface, const Vec3& direction) { return {surface.position, direction}; }
 
   static constexpr Interval hit_range() { return {1e-4, 1e7}; }
   static Interval shadow_range(double distance) {

@@ -41,13 +41,13 @@ public:
   }
 
   /// The path has hit `at.surface`, where the material has these values.
-  void arrive(Interaction& at, const RayHit& hit, const MaterialValues& values) {
+  [[gnu::always_inline]] void arrive(Interaction& at, const RayHit& hit, const MaterialValues& values) {
     at.bsdf = WhittedBsdf(values);
     const Vec3& direction = at.path->ray.direction;
     at.normal = Rules::turned_normal(at.surface, direction);
     at.cosine = -dot(at.normal, direction);
     if (at.cosine < 0) [[unlikely]]
-      at.cosine = -dot(specular_normal(at), direction);
+      at.cosine = -dot(bent_normal(at), direction);
     recorder_.contact(at.path->tree->contacts, at.path->contact);
     recorder_.surface(hit, at.surface, values, at.normal);
   }
@@ -86,7 +86,8 @@ public:
   }
 
   /// What is reflected of a light that faces the surface, after shadows.
-  static ReflectedLight reflected(const Interaction& at, const DirectLight& direct, bool has_highlight) {
+  [[gnu::always_inline]] static ReflectedLight reflected(const Interaction& at, const DirectLight& direct,
+                                                         bool has_highlight) {
     return at.bsdf.evaluate(direct.sample.color * direct.transmittance, at.path->ray.direction, at.normal,
                             direct.sample.to_light, direct.cos_light, has_highlight);
   }
@@ -94,27 +95,27 @@ public:
   static bool is_scattering(const Interaction& at) { return at.bsdf.is_mirror() || at.bsdf.is_transparent(); }
 
   /// Of a scattering one.
-  Scattering scatter(const Interaction& at) {
+  [[gnu::always_inline]] Scattering scatter(const Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
     const MediumStacks& media = at.path->tree->media;
     const MediumStacks::List inside = at.path->inside;
-    Scattering s{&at, {at.surface.order, at.surface.ior, at.surface.medium_material_id}};
-    s.is_thin = v.thin;
-    double fresnel_eta = 1;
+    const Medium medium{at.surface.order, at.surface.ior, at.surface.medium_material_id};
+    MediumTransition transition;
+    double eta = 1, fresnel_eta = 1;
     if (at.bsdf.is_transparent() && v.thin) {
-      s.transition = {MediumTransition::Kind::through_sheet, media.top_ior(inside), media.top_ior(inside)};
+      transition = {MediumTransition::Kind::through_sheet, media.top_ior(inside), media.top_ior(inside)};
     } else if (at.path->contact.is_inside()) {
-      s.transition = at.path->tree->contacts.transition(at.path->contact, media);
-      s.eta = s.transition.eta();
-      fresnel_eta = 1 / s.eta;
+      transition = at.path->tree->contacts.transition(at.path->contact, media);
+      eta = transition.eta();
+      fresnel_eta = 1 / eta;
     } else if (at.bsdf.is_transparent()) {
-      s.transition = media.transition(inside, s.medium);
-      s.eta = Rules::eta(s.transition.eta(), touches_void(s.transition, inside));
+      transition = media.transition(inside, medium);
+      eta = Rules::eta(transition.eta(), touches_void(transition, inside));
     }
     if (at.bsdf.is_mirror() && v.fresnel && (v.thin || !at.path->contact.is_inside()))
       fresnel_eta =
-          Rules::eta(media.fresnel_eta(inside, s.medium), touches_void(media.transition(inside, s.medium), inside));
-    s.terms = at.bsdf.specular(at.cosine, s.eta, fresnel_eta);
+          Rules::eta(media.fresnel_eta(inside, medium), touches_void(media.transition(inside, medium), inside));
+    const Scattering s{&at, medium, transition, eta, at.bsdf.specular(at.cosine, eta, fresnel_eta), v.thin};
     if (at.bsdf.is_mirror() && !s.terms.is_total)
       recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
     return s;
@@ -135,7 +136,7 @@ public:
     return s.terms.tau != black;
   }
 
-  static Ray refracted(const Scattering& s) {
+  [[gnu::always_inline]] static Ray refracted(const Scattering& s) {
     const Interaction& at = *s.at;
     return Rules::leave(at.surface,
                         refract(at.path->ray.direction, specular_normal(at), s.eta, at.cosine, s.terms.cos_behind));
@@ -156,13 +157,16 @@ public:
   }
 
 private:
-  // The normal for what is mirrored and refracted. One that faces away from the viewer mirrors nothing: it is bent
-  // until the mirrored ray just leaves the surface (A. Keller et al., The Iray Light Transport Simulation and Rendering
-  // System, 2017, A.3).
+  // The normal for what is mirrored and refracted.
   static Vec3 specular_normal(const Interaction& at) {
-    const Vec3 &n = at.surface.geometric_normal, &direction = at.path->ray.direction;
-    if (dot(at.normal, direction) <= 0) [[likely]]
+    if (dot(at.normal, at.path->ray.direction) <= 0) [[likely]]
       return at.normal;
+    return bent_normal(at);
+  }
+  // A normal that faces away from the viewer mirrors nothing: it is bent until the mirrored ray just leaves the surface
+  // (A. Keller et al., The Iray Light Transport Simulation and Rendering System, 2017, A.3).
+  [[gnu::noinline]] static Vec3 bent_normal(const Interaction& at) {
+    const Vec3 &n = at.surface.normal, &direction = at.path->ray.direction;
     const Vec3 mirrored = reflect(direction, at.normal);
     const Vec3 viewed = dot(n, direction) > 0 ? -n : n;
     const Vec3 along = mirrored + viewed * std::max(0.0, 0x1p-20 - dot(mirrored, viewed));

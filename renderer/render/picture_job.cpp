@@ -85,7 +85,7 @@ void PictureJob::trace_layers(int x, int y, TraceScratch& scratch) const {
   const Vec3 n = surface.shading_normal;
   film_.depth[i] = first->hit.t;
   film_.normal[i] = to_single(dot(n, ray.direction) > 0 ? -n : n);
-  film_.position[i] = to_single(surface.point);
+  film_.position[i] = to_single(surface.position);
   film_.object_id[i] = static_cast<std::uint32_t>(surface.order + 1);
   film_.albedo[i] = rt::to_single(scene_.values(surface, values).color);
 }

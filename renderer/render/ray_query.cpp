@@ -57,7 +57,7 @@ HitReport RayQuery::report(const Ray& ray, const RayHit& hit, const Surface& sur
   static_cast<Surface&>(report) = surface;
   report.t = hit.t;
   report.distance = hit.t * length(ray.direction);
-  report.enters = dot(report.geometric_normal, ray.direction) < 0;
+  report.enters = dot(report.normal, ray.direction) < 0;
   report.path = scene_.path(hit);
   MaterialValues scratch;
   report.material = scene_.values(report, scratch);

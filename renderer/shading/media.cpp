@@ -59,10 +59,4 @@ MediumStacks::List MediumStacks::moved(List list, std::uint32_t begin) {
   return {begin, list.size};
 }
 
-double MediumStacks::fresnel_eta(List list, const Medium& it) const {
-  if (list.size == 0) return it.ior;
-  if (!holds(list, it.id)) return it.ior / top_ior(list);
-  return (list.size == 1 ? 1 : top_ior(list)) / it.ior;
-}
-
 } // namespace rt

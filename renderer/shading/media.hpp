@@ -37,7 +37,7 @@ public:
 
   /// Storage that is in use; `release(mark)` gives back what was made since.
   std::uint32_t mark() const { return static_cast<std::uint32_t>(storage_.size()); }
-  void release(std::uint32_t mark) { storage_.resize(mark); }
+  void release(std::uint32_t mark) { storage_.erase(storage_.begin() + mark, storage_.end()); }
 
   const Medium* begin(List list) const { return storage_.data() + list.begin; }
   const Medium* end(List list) const { return begin(list) + list.size; }
@@ -60,7 +60,7 @@ public:
 
   /// What happens at the surface of `it`: a solid that is not in the list is entered; the innermost is left; one
   /// further out, as where solids overlap, is left without any bending.
-  MediumTransition transition(List list, const Medium& it) const {
+  [[gnu::always_inline]] MediumTransition transition(List list, const Medium& it) const {
     const std::uint32_t i = place(list, it.id);
     if (i == list.size) return {MediumTransition::Kind::entering, top_ior(list), it.ior};
     if (i + 1 == list.size) return {MediumTransition::Kind::leaving, it.ior, top_ior({list.begin, list.size - 1})};
@@ -80,7 +80,11 @@ public:
 
   /// ior of the other side by that of this side, as Fresnel's equation is given it: what lies behind a solid in the
   /// list is the innermost one, or nothing if it is alone.
-  double fresnel_eta(List list, const Medium& it) const;
+  [[gnu::always_inline]] double fresnel_eta(List list, const Medium& it) const {
+    if (list.size == 0) return it.ior;
+    if (!holds(list, it.id)) return it.ior / top_ior(list);
+    return (list.size == 1 ? 1 : top_ior(list)) / it.ior;
+  }
 
 private:
   std::vector<Medium> storage_;

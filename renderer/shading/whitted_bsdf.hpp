@@ -44,8 +44,8 @@ public:
 
   /// What is reflected against `ray`, the direction of the viewer's ray, of light that arrives from `to_light` with
   /// n·l = `cos_light` > 0.
-  ReflectedLight evaluate(const Color& arriving, const Vec3& ray, const Vec3& n, const Vec3& to_light, double cos_light,
-                          bool has_highlight) const {
+  [[gnu::always_inline]] ReflectedLight evaluate(const Color& arriving, const Vec3& ray, const Vec3& n,
+                                                 const Vec3& to_light, double cos_light, bool has_highlight) const {
     const MaterialValues& v = *values_;
     ReflectedLight result;
     result.diffuse = arriving * body_ * v.diffuse * cos_light;
@@ -63,7 +63,7 @@ public:
   /// The mirror and, if it is transparent, refraction, for a ray that comes with this `cosine` to the normal. `eta` is
   /// the ior before the surface by the ior behind it; `fresnel_eta` is as `fresnel_reflectance` takes it, and only
   /// matters with `fresnel`.
-  SpecularTerms specular(double cosine, double eta, double fresnel_eta) const {
+  [[gnu::always_inline]] SpecularTerms specular(double cosine, double eta, double fresnel_eta) const {
     const MaterialValues& v = *values_;
     SpecularTerms terms;
     if (is_transparent()) {

@@ -40,7 +40,8 @@ constexpr bool is_solid(const PlaneGeometry&) {
   return true;
 }
 
-inline bool intersect(const PlaneGeometry& plane, const Ray& ray, const Interval& range, Hit& hit) {
+[[gnu::always_inline]] inline bool intersect(const PlaneGeometry& plane, const Ray& ray, const Interval& range,
+                                             Hit& hit) {
   const double approach = dot(plane.normal, ray.direction);
   const double height = plane.offset - dot(plane.normal, ray.origin);
   if (approach == 0 || (height < 0) != (approach < 0)) return false; // parallel, even if within the plane; or behind

@@ -20,7 +20,7 @@ public:
   std::optional<lang::Sighting> nearest(const Ray& ray) const override {
     const auto hit = query_.nearest(ray);
     if (!hit) return std::nullopt;
-    lang::Sighting seen{hit->t, hit->distance, hit->geometric_normal, {}, Namer(scene_).title(hit->path)};
+    lang::Sighting seen{hit->t, hit->distance, hit->normal, {}, Namer(scene_).title(hit->path)};
     for (const scene::Object* object : objects_on(scene_, hit->path)) seen.objects.push_back(*object);
     return seen;
   }

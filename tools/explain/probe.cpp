@@ -34,11 +34,9 @@ std::string material_text(const HitReport& hit) {
 std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
   std::string text = fmt::format("  object    {}\n", Namer(scene).whole(hit.path));
   text += fmt::format("  t         {:.17g}    distance {:.17g}\n", hit.t, hit.distance);
-  text += fmt::format("  point     {}\n", text_of(hit.point));
-  text += fmt::format("  normal    {}    the ray {} here\n", text_of(hit.geometric_normal),
-                      hit.enters ? "enters" : "leaves");
-  if (!(hit.shading_normal == hit.geometric_normal))
-    text += fmt::format("  shaded as {}\n", text_of(hit.shading_normal));
+  text += fmt::format("  point     {}\n", text_of(hit.position));
+  text += fmt::format("  normal    {}    the ray {} here\n", text_of(hit.normal), hit.enters ? "enters" : "leaves");
+  if (!(hit.shading_normal == hit.normal)) text += fmt::format("  shaded as {}\n", text_of(hit.shading_normal));
   text += fmt::format("  material  {}\n", material_text(hit));
   return text;
 }
@@ -75,8 +73,8 @@ json hit_json(const scene::Scene& scene, const HitReport& hit) {
   return {{"objects", objects_json(scene, hit.path)},
           {"t", hit.t},
           {"distance", hit.distance},
-          {"point", to_json(hit.point)},
-          {"normal", to_json(hit.geometric_normal)},
+          {"point", to_json(hit.position)},
+          {"normal", to_json(hit.normal)},
           {"shading_normal", to_json(hit.shading_normal)},
           {"enters", hit.enters},
           {"place", hit.place},

@@ -36,7 +36,7 @@ struct DirectLighting::Arrival {
 };
 
 std::optional<DirectLighting::LampLight> DirectLighting::reached(const ScatteringPoint& at, const Light& lamp) const {
-  const LightSample sample = sample_light(lamp, at.surface.point);
+  const LightSample sample = sample_light(lamp, at.surface.position);
   if (sample.color == black || sample.distance == 0) return std::nullopt;
   const Color reflected = sample.color * at.reflected(sample.to_light) * std::numbers::pi;
   if (reflected == black) return std::nullopt;
@@ -153,7 +153,7 @@ bool DirectLighting::pass(Sight& sight, const Surface& surface) {
 }
 
 Color DirectLighting::from_sized_lamps(const ScatteringPoint& at, const std::array<double, 4>& numbers) {
-  const Vec3& p = at.surface.point;
+  const Vec3& p = at.surface.position;
   const auto choice = lamps_.sized.choose(p, numbers[2]);
   if (!choice) return black;
   const SizedLamps::Direction way = lamps_.sized.sample(choice->index, p, numbers[0], numbers[1]);
@@ -168,7 +168,7 @@ Color DirectLighting::from_sized_lamps(const ScatteringPoint& at, const std::arr
 
 Color DirectLighting::from_emitters(const ScatteringPoint& at, const std::array<double, 4>& numbers) {
   if (lamps_.emitters.is_empty()) return black;
-  const Vec3& p = at.surface.point;
+  const Vec3& p = at.surface.position;
   const Emitters::Choice choice = lamps_.emitters.choose(p, numbers[2]);
   const Emitter& emitter = lamps_.emitters[choice.index];
   const auto sample = emitter.sample(p, numbers[0], numbers[1]);
@@ -179,7 +179,7 @@ Color DirectLighting::from_emitters(const ScatteringPoint& at, const std::array<
   if (!lamp) return black;
   const Color radiance = emission(scene_.values(lamp->surface, values_));
   const double density =
-      choice.probability * emitter.density(p, sample->direction, lamp->surface.point, lamp->surface.geometric_normal);
+      choice.probability * emitter.density(p, sample->direction, lamp->surface.position, lamp->surface.normal);
   const double weight = balance(density, at.density(sample->direction)) / density;
   return reflected * lamp->passed * radiance * weight;
 }

@@ -70,8 +70,7 @@ Color PathTracer::irradiance(const Vec3& point, const Vec3& normal, const Sample
   static const MaterialValues white_matte{.diffuse = white};
   static const MaterialTables no_tables = make_material_tables(white_matte, std::array{1.0});
   Path path{walker_.start({point, -normal}, inside), stream};
-  Surface surface{point, normal, normal};
-  surface.offset = rounding_bound(64) * (magnitude(point) + 1);
+  const Surface surface{{point, normal, rounding_bound(64) * (magnitude(point) + 1)}, normal};
   const ScatteringPoint at{surface, Frame(normal), Bsdf(white_matte, no_tables, 1, {0, 0, 1}),
                            false,   &walker_,      path.walk};
   if (scatter(path, at)) go_on(path);
@@ -126,8 +125,8 @@ void PathTracer::add_emission(Path& path, const Color& emission, const Meeting& 
   if (path.has_rival) {
     if (const auto emitter = lamps_.emitters.find(met.hit)) {
       const double rival = lamps_.emitters.probability(*emitter, path.from) *
-                           lamps_.emitters[*emitter].density(path.from, path.walk.ray.direction, met.surface.point,
-                                                             met.surface.geometric_normal);
+                           lamps_.emitters[*emitter].density(path.from, path.walk.ray.direction, met.surface.position,
+                                                             met.surface.normal);
       weight = balance(path.density, rival);
     }
   }
@@ -151,7 +150,7 @@ bool PathTracer::scatter(Path& path, const ScatteringPoint& at) {
   path.walk.meets_casting_only |= !sample->is_perfect;
   path.has_rival = !sample->is_perfect;
   path.density = sample->density;
-  path.from = at.surface.point;
+  path.from = at.surface.position;
   walker_.leave(path.walk, at.surface, at.is_boundary, normalize(at.frame.vector(sample->wi)));
   return path.depth++ < first_roulette || survives(path, numbers[3]);
 }

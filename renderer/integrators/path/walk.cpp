@@ -70,7 +70,7 @@ double Walker::eta(const Walk& walk, const Surface& surface, const MaterialValue
 }
 
 void Walker::leave(Walk& walk, const Surface& surface, bool is_boundary, const Vec3& direction) {
-  const Vec3& n = surface.geometric_normal;
+  const Vec3& n = surface.normal;
   const bool crosses = dot(walk.ray.direction, n) * dot(direction, n) > 0;
   if (walk.contact.is_inside()) [[unlikely]] {
     const Contacts::Position met = walk.contact;

@@ -78,8 +78,8 @@ TEST_CASE("compile: a turned sphere is an ellipsoid") {
   CHECK(asked.nearest({0, 0, 0}, {0, 0, 1}).t == 6);
   CHECK(asked.nearest({0, 9, 10}, {0, -1, 0}).t == 7);
   const Surface s = asked.surface({0, 0, 0}, {0, 0, 1});
-  CHECK(s.geometric_normal.z == -1);
-  CHECK(s.point.z == Approx(6).epsilon(1e-15));
+  CHECK(s.normal.z == -1);
+  CHECK(s.position.z == Approx(6).epsilon(1e-15));
 }
 
 TEST_CASE("compile: paths lead through groups, also those that are taken apart") {

@@ -12,7 +12,7 @@ using Path = std::vector<std::uint32_t>;
 using Ts = std::vector<double>;
 
 Vec3 normal(Asked& asked, const Vec3& origin, const Vec3& direction) {
-  return asked.surface(origin, direction).geometric_normal;
+  return asked.surface(origin, direction).normal;
 }
 
 } // namespace

@@ -27,7 +27,7 @@ TEST_CASE("POV-Ray's box: of two faces met within 1e-6 the steeper one counts, w
                    .transformed(in_group.scaled({0.5, 0.5, 0.5})));
   in_solid.add(in_solid.intersect({in_solid.box({0, 0, 0}, {1, 1, 1}), in_solid.sphere(50)}));
   for (const scene::Scene& scene : {alone.scene, in_group.scene, in_solid.scene}) {
-    const auto normal = [&](HitRules rules, const Ray& ray) { return first_hit(scene, rules, ray).geometric_normal; };
+    const auto normal = [&](HitRules rules, const Ray& ray) { return first_hit(scene, rules, ray).normal; };
     const Vec3 steep_y{0.6, 0.8, 0}, steep_x{0.8, 0.6, 0};
     CHECK(normal(HitRules::own, {{-3, -4 + 7e-7, 0.5}, steep_y}) == minus_x);
     CHECK(normal(HitRules::povray, {{-3, -4 + 7e-7, 0.5}, steep_y}) == minus_y);

@@ -322,7 +322,7 @@ TEST_CASE("whitted: a lit convex solid shows no speckle, whatever its size, plac
           for (int j = 0; j < 60; ++j) {
             const Vec3 eye = (place + Vec3{0, 0, 5} + Vec3{-1.5 + 0.05 * i, -1.5 + 0.05 * j, 0}) * size;
             if (!asked.nearest(eye, down)) continue;
-            if (dot(asked.surface(eye, down).geometric_normal, to_light) < 0.01) continue;
+            if (dot(asked.surface(eye, down).normal, to_light) < 0.01) continue;
             CHECK(asked.radiance(eye, down).r > 0.001);
             ++lit;
           }

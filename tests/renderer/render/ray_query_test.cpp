@@ -18,8 +18,8 @@ TEST_CASE("tracer: a report says where, what and of which material") {
   REQUIRE(hit);
   CHECK(hit->t == 2);
   CHECK(hit->distance == 8);
-  CHECK(hit->point == Vec3{0, 0, -8});
-  CHECK(hit->geometric_normal == Vec3{0, 0, 1});
+  CHECK(hit->position == Vec3{0, 0, -8});
+  CHECK(hit->normal == Vec3{0, 0, 1});
   CHECK(hit->enters);
   CHECK(hit->order == 1);
   CHECK(hit->path == std::vector<std::uint32_t>{1, 0});

@@ -49,7 +49,7 @@ TEST_CASE("probe: t counts lengths of the direction, the distance is Euclidean")
   CHECK(hits[0].enters);
   CHECK_FALSE(hits[1].enters);
   CHECK(hits[3].distance == 11); // z = -6
-  CHECK(hits[0].geometric_normal == Vec3{0, 0, 1});
+  CHECK(hits[0].normal == Vec3{0, 0, 1});
 }
 
 TEST_CASE("probe: a hit names the object, its line and the pattern's colour there; a miss is an answer") {

@@ -94,11 +94,11 @@ struct Listener : NoRecorder {
 
   void look_for_coincidence(const Surface& surface, const MaterialValues& values) {
     const Vec3 direction = frames.back().direction;
-    const auto hits = hits_around(surface.point, direction);
+    const auto hits = hits_around(surface.position, direction);
     if (hits.size() < 2) return;
     for (const HitReport& other : hits) {
       if (other.order == surface.order) continue;
-      const double cosine = dot(other.geometric_normal, surface.geometric_normal);
+      const double cosine = dot(other.normal, surface.normal);
       if (std::abs(cosine) < 1 - 1e-6) continue;
       // Light that passes one of them passes both in the same way; of opaque ones it matters which is seen.
       if (values.refract > 0 || other.material.refract > 0) continue;
@@ -118,11 +118,11 @@ struct Listener : NoRecorder {
 
   /// Not only in a point or line where they touch: also beside it, on two sides.
   bool coincides_beside(const HitReport& a, const HitReport& b, const Vec3& direction) const {
-    const Vec3 n = a.geometric_normal;
+    const Vec3 n = a.normal;
     const Vec3 u = normalize(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})), v = cross(n, u);
-    const double step = std::max(footprint * length(a.point - context.scene.camera.at), 1e-6);
+    const double step = std::max(footprint * length(a.position - context.scene.camera.at), 1e-6);
     for (const Vec3& shift : {u * step, v * step, (u + v) * (-0.7 * step)}) {
-      const Vec3 beside = a.point + shift;
+      const Vec3 beside = a.position + shift;
       // On a curved surface the ray meets both a little before or behind: they must do so together.
       const double reach = 1e-2 * std::max(1.0, length(beside)) + step;
       const auto hits = context.query.all_hits({beside - direction * reach, direction}, {0, 2 * reach});

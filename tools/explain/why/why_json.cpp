@@ -91,9 +91,9 @@ private:
     json j{{"objects", objects_json(answer_.scene, s.path)},
            {"ray", ray_json(s.ray)},
            {"t", s.hit.t},
-           {"point", to_json(s.surface.point)},
+           {"point", to_json(s.surface.position)},
            {"normal", to_json(s.normal)},
-           {"enters", dot(s.surface.geometric_normal, s.ray.direction) < 0}};
+           {"enters", dot(s.surface.normal, s.ray.direction) < 0}};
     if (!s.touching.empty()) {
       json touching = json::array();
       for (const auto& path : s.touching) touching.push_back(objects_json(answer_.scene, path));

@@ -81,7 +81,7 @@ void write_combination(const Answer& answer, const SurfaceNode& s, const Combina
 }
 
 std::string_view side_text(const Answer& answer, const SurfaceNode& s) {
-  const bool is_front = dot(s.surface.geometric_normal, s.ray.direction) < 0;
+  const bool is_front = dot(s.surface.normal, s.ray.direction) < 0;
   const scene::ShapeRef shape = objects_on(answer.scene, s.path).back()->shape;
   const bool has_inside = answer.scene.shapes.visit(shape, []<class S>(const S& described) {
     if constexpr (scene::is_composite<S>)
@@ -213,7 +213,7 @@ void write_meeting(const Answer& answer, const SurfaceNode& s, Page& page, int i
                                   names.size(), list_text(names)));
   }
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
-                                vector_text(s.surface.point), side_text(answer, s)));
+                                vector_text(s.surface.position), side_text(answer, s)));
   if (s.absorbed)
     page.line(indent + 2, fmt::format("absorb: {} of the light is left after {} inside", color_text(s.absorbed->left),
                                       number_text(s.absorbed->length)));
@@ -225,10 +225,10 @@ void write_derivation(const Answer& answer, const SurfaceNode& s, Page& page, in
 }
 
 void write_normal(const SurfaceNode& s, Page& page, int indent) {
-  const bool is_smooth = !(s.surface.shading_normal == s.surface.geometric_normal);
+  const bool is_smooth = !(s.surface.shading_normal == s.surface.normal);
   page.line(indent, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
                                 is_smooth ? fmt::format(", from the corners' normals (the face's own is {})",
-                                                        vector_text(s.surface.geometric_normal))
+                                                        vector_text(s.surface.normal))
                                           : ""));
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("why: where no light comes, the path is the one along which most would
                            {0, 0, 5}, {0, 0, -1});
   const explain::LightPath& path = asked->answer.path;
   REQUIRE(path.steps.size() == 4); // both mirrors, the first one again, and the ray that may not go on
-  CHECK(path.steps[2].surface->surface.point.z == Approx(-1));
+  CHECK(path.steps[2].surface->surface.position.z == Approx(-1));
   CHECK(path.steps[3].ray->end == explain::RayNode::End::too_deep);
   CHECK(path.light == black);
   CHECK(contains(explain::why_text(asked->answer, {}), "no light comes; the path along which most would be seen"));

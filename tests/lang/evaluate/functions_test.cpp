@@ -37,7 +37,8 @@ std::vector<Vec3> values_in_language(const std::string& body, const std::vector<
   std::string text = body + "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3& p = points[i];
-    text += fmt::format("v{} = f([{}, {}, {}])\n", i, p.x, p.y, p.z);
+    // A number stands for grey: white times either is a colour.
+    text += fmt::format("v{} = {}f([{}, {}, {}])\n", i, is_color ? "white * " : "", p.x, p.y, p.z);
     text += is_color ? fmt::format("sphere {{ at: [v{0}.r, v{0}.g, v{0}.b] }}\n", i)
                      : fmt::format("sphere {{ at: [v{}, 0, 0] }}\n", i);
   }

@@ -1,4 +1,5 @@
 #include "lang/builtins/builtins.hpp"
+#include "lang/builtins/formula_calls.hpp"
 #include "lang/builtins/vector_arguments.hpp"
 #include "renderer/math/degrees.hpp"
 
@@ -85,6 +86,38 @@ Value from_spherical(BuiltinCall& c) {
   const Vec3& p = c.vector(0);
   const double r = p.x * sin_degrees(p.z);
   return Vec3{r * cos_degrees(p.y), r * sin_degrees(p.y), p.x * cos_degrees(p.z)};
+}
+
+// The same where a vector depends on the point.
+
+Value triple_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  return c.formulas.value(dot(c.vector(0), cross(c.vector(1), c.vector(2))));
+}
+Value component_formula(BuiltinCall& call) {
+  if (!have_equal_sizes(call)) return Value::poison();
+  const FormulaCall c(call);
+  return c.formulas.value(dot(c.vector(0), c.vector(1)) / length(c.vector(1)));
+}
+/// `f` of a vector, a vector.
+template <auto f>
+Value vector_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  return c.like(0, f(c.vector(0)));
+}
+TermVector cylindrical_terms(const TermVector& p) {
+  return {p[0].apply(Opcode::hypotenuse, p[1]), p[1].apply(Opcode::arc_tangent2, p[0]), p[2]};
+}
+TermVector from_cylindrical_terms(const TermVector& p) {
+  return {p[0] * p[1].apply(Opcode::cosine), p[0] * p[1].apply(Opcode::sine), p[2]};
+}
+TermVector spherical_terms(const TermVector& p) {
+  const Term r = p[0].apply(Opcode::hypotenuse, p[1]);
+  return {length(p), p[1].apply(Opcode::arc_tangent2, p[0]), r.apply(Opcode::arc_tangent2, p[2])};
+}
+TermVector from_spherical_terms(const TermVector& p) {
+  const Term r = p[0] * p[2].apply(Opcode::sine);
+  return {r * p[1].apply(Opcode::cosine), r * p[1].apply(Opcode::sine), p[0] * p[2].apply(Opcode::cosine)};
 }
 
 // Matrices: lists of rows.
@@ -232,8 +265,8 @@ Value inverse(BuiltinCall& c) {
 std::span<const Builtin> geometry() {
   static constexpr Builtin table[] = {
       {"triple", "a: vector, b: vector, c: vector", "a · (b × c): the volume that three vectors span, with a sign",
-       triple_product},
-      {"component", "v: point, along: point", "how far v goes along another vector", component},
+       triple_product, triple_formula},
+      {"component", "v: point, along: point", "how far v goes along another vector", component, component_formula},
       {"direction_angles", "v: vector", "the angles to the three axes, in degrees", direction_angles},
       {"refract", "v: point, normal: point, ratio: number",
        "direction behind a surface, of length 1, by Snell's law; ratio is the index in front over that behind; `none` "
@@ -245,11 +278,13 @@ std::span<const Builtin> geometry() {
        distance_to_plane},
       {"distance_between_lines", "p: vector, u: vector, q: vector, v: vector",
        "distance of the lines through p along u and through q along v", distance_between_lines},
-      {"cylindrical", "p: vector", "[r, θ, z] of a point: θ from the x axis about z, in degrees", cylindrical},
-      {"from_cylindrical", "p: vector", "the point at [r, θ, z]", from_cylindrical},
+      {"cylindrical", "p: vector", "[r, θ, z] of a point: θ from the x axis about z, in degrees", cylindrical,
+       vector_formula<cylindrical_terms>},
+      {"from_cylindrical", "p: vector", "the point at [r, θ, z]", from_cylindrical,
+       vector_formula<from_cylindrical_terms>},
       {"spherical", "p: vector", "[ρ, θ, φ] of a point: θ from the x axis about z, φ from the z axis, in degrees",
-       spherical},
-      {"from_spherical", "p: vector", "the point at [ρ, θ, φ]", from_spherical},
+       spherical, vector_formula<spherical_terms>},
+      {"from_spherical", "p: vector", "the point at [ρ, θ, φ]", from_spherical, vector_formula<from_spherical_terms>},
       {"matmul", "a: list, b: list", "product of two matrices (lists of rows), or of a matrix and a vector",
        matrix_product},
       {"transpose", "m: list", "rows and columns exchanged", transposed},

@@ -1,4 +1,5 @@
 #include "lang/builtins/builtins.hpp"
+#include "lang/builtins/formula_calls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,20 +163,23 @@ Value quantified(BuiltinCall& c) {
   const bool has_function = c.has(1);
   const auto n = size_of(c, has_function ? 1 : 0);
   if (!n) return Value::poison();
+  Value result = Value::boolean(!wanted); // a formula, once one of the elements is
   for (std::size_t i = 0; i < *n; ++i) {
     const Value element = sequence_at(c[has_function ? 1 : 0], i);
-    std::optional<bool> holds;
-    if (has_function)
-      holds = ask(c, element);
-    else if (element.is(ValueKind::boolean))
-      holds = element.truth();
-    else if (!element.is_poison())
-      c.fail(0, "without a function, the list must hold truth values",
-             "element " + std::to_string(i) + " is " + describe(element));
-    if (!holds) return Value::poison();
-    if (*holds == wanted) return Value::boolean(wanted);
+    c.spend(1);
+    const Value holds = has_function ? c.call(c[0], {element}) : element;
+    if (holds.is_poison()) return holds;
+    if (!is_boolean_like(holds))
+      return has_function ? c.fail(0, "this function must give true or false", "it gives " + describe(holds))
+                          : c.fail(0, "without a function, the list must hold truth values",
+                                   "element " + std::to_string(i) + " is " + describe(holds));
+    if (holds.is(ValueKind::boolean) && holds.truth() == wanted) return holds;
+    if (holds.is(ValueKind::boolean)) continue;
+    const Formulas formulas(c.heap(), {&holds, 1});
+    const Term so_far = formulas.boolean(result);
+    result = formulas.truth(so_far.apply(wanted ? Opcode::or_ : Opcode::and_, formulas.boolean(holds)));
   }
-  return Value::boolean(!wanted);
+  return result;
 }
 
 Value zipped(BuiltinCall& c) {
@@ -290,26 +294,67 @@ Value printed(BuiltinCall& c) {
   return {};
 }
 
+// The same where numbers in lists depend on the point. What only moves elements about does not look at them.
+
+/// All of some numbers, or of one list of them, combined one after the other.
+template <Opcode operation>
+Value combined_formula(BuiltinCall& call) {
+  const bool is_list = call.arguments.size() == 1 && is_sequence(call[0]);
+  const std::size_t n = is_list ? sequence_size(call[0]) : call.arguments.size();
+  const FormulaCall c(call);
+  std::optional<Term> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Value v = is_list ? sequence_at(call[0], i) : call[i];
+    if (v.is_poison()) return v;
+    if (!is_number_like(v))
+      return call.fail(is_list ? 0 : i, "only numbers can be compared and summed here", "this is " + describe(v));
+    call.spend(1);
+    result = result ? result->apply(operation, c.formulas.number(v)) : c.formulas.number(v);
+  }
+  return c.formulas.value(*result); // there is a formula among them
+}
+
+Value total_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  Value sum = sequence_at(call[0], 0);
+  for (std::size_t i = 1, n = sequence_size(call[0]); i < n; ++i) {
+    call.spend(1);
+    const Value v = sequence_at(call[0], i);
+    if (v.is_poison()) return v;
+    auto next = c.formulas.arithmetic(Opcode::add, sum, v);
+    if (!next || is_number_like(sum) != is_number_like(v))
+      return call.fail(0, "sum takes numbers, vectors or colours, all of one kind",
+                       "element " + std::to_string(i) + " is " + describe(v));
+    sum = *std::move(next);
+  }
+  return sum;
+}
+
 } // namespace
 
 std::span<const Builtin> lists() {
   static constexpr Builtin table[] = {
-      {"len", "list: list or string", "number of elements, or of characters", length_of_list},
+      {"len", "list: list or string", "number of elements, or of characters", length_of_list, length_of_list},
       {"range", "a: number, b: number = ?, step: number = 1", "0..<a, or a..<b by step", range_of},
-      {"map", "f: function, list: list", "f(x) for each element x", mapped},
-      {"filter", "f: function, list: list", "the elements x for which f(x) is true", filtered},
-      {"fold", "f: function, start: any, list: list", "f(… f(f(start, first), second) …, last)", folded},
-      {"sum", "list: list", "sum of numbers, vectors or colours", total},
-      {"product", "x…: number or list", "product of numbers, or of one list of them", product},
-      {"min", "x…: number or list", "the least of some numbers, or of one list of them", extreme<false>},
-      {"max", "x…: number or list", "the greatest of some numbers, or of one list of them", extreme<true>},
-      {"zip", "lists…: list", "lists of the first elements, of the second ones, and so on", zipped},
-      {"concat", "lists…: list", "one list of the elements of all", concatenated},
-      {"flatten", "list: list", "the elements of the lists in a list, one level deep", flattened},
+      {"map", "f: function, list: list", "f(x) for each element x", mapped, mapped},
+      {"filter", "f: function, list: list", "the elements x for which f(x) is true", filtered, filtered},
+      {"fold", "f: function, start: any, list: list", "f(… f(f(start, first), second) …, last)", folded, folded},
+      {"sum", "list: list", "sum of numbers, vectors or colours", total, total_formula},
+      {"product", "x…: number or list", "product of numbers, or of one list of them", product,
+       combined_formula<Opcode::multiply>},
+      {"min", "x…: number or list", "the least of some numbers, or of one list of them", extreme<false>,
+       combined_formula<Opcode::minimum>},
+      {"max", "x…: number or list", "the greatest of some numbers, or of one list of them", extreme<true>,
+       combined_formula<Opcode::maximum>},
+      {"zip", "lists…: list", "lists of the first elements, of the second ones, and so on", zipped, zipped},
+      {"concat", "lists…: list", "one list of the elements of all", concatenated, concatenated},
+      {"flatten", "list: list", "the elements of the lists in a list, one level deep", flattened, flattened},
       {"sort", "list: list, key: function = ?", "in ascending order of the elements, or of key(x)", sorted},
-      {"reverse", "list: list", "from the last to the first", reversed},
-      {"any", "f: function or list, list: list = ?", "whether f(x) is true for an element", quantified<true>},
-      {"all", "f: function or list, list: list = ?", "whether f(x) is true for each element", quantified<false>},
+      {"reverse", "list: list", "from the last to the first", reversed, reversed},
+      {"any", "f: function or list, list: list = ?", "whether f(x) is true for an element", quantified<true>,
+       quantified<true>},
+      {"all", "f: function or list, list: list = ?", "whether f(x) is true for each element", quantified<false>,
+       quantified<false>},
       {"contains", "list: list, x: any", "whether an element equals x", contains},
       {"str", "x: any", "as text", as_string},
       {"print", "x…: any", "tells the values and the place on standard error, and is `none`", printed},

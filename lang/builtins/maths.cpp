@@ -1,4 +1,5 @@
 #include "lang/builtins/builtins.hpp"
+#include "lang/builtins/formula_calls.hpp"
 #include "renderer/functions/apply.hpp"
 
 #include <algorithm>
@@ -18,6 +19,14 @@ Value each(BuiltinCall& c) {
 
 double sign_of(double x) {
   return x > 0 ? 1 : x < 0 ? -1 : x;
+}
+Term sign_term(const Term& x) {
+  const Term zero = x.of(0);
+  return select(is_less(zero, x), x.of(1), select(is_less(x, zero), x.of(-1), x));
+}
+
+Term trunc_term(const Term& x) {
+  return select(is_less(x, x.of(0)), x.apply(Opcode::ceil), x.apply(Opcode::floor));
 }
 
 Value sine(BuiltinCall& c) {
@@ -77,10 +86,22 @@ Value hypotenuse(BuiltinCall& c) {
   return sum;
 }
 
+Value hypotenuse_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  Term sum = c.formulas.constant(0);
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) sum = sum.apply(Opcode::hypotenuse, c.number(i));
+  return c.formulas.value(sum);
+}
+
 Value clamped(BuiltinCall& c) {
   const double low = c.number_or(1, 0), high = c.number_or(2, 1);
   if (low > high) return c.fail(1, "the lower bound is above the upper one");
   return std::clamp(c.number(0), low, high);
+}
+
+Value clamped_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  return c.formulas.value(clamp(c.number(0), c.number_or(1, 0), c.number_or(2, 1)));
 }
 
 Value smooth_step(BuiltinCall& c) {
@@ -89,37 +110,53 @@ Value smooth_step(BuiltinCall& c) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
+Value smooth_step_formula(BuiltinCall& call) {
+  const FormulaCall c(call);
+  const Term low = c.number(0), high = c.number(1), x = c.number(2), zero = x.of(0), one = x.of(1);
+  const Term t = clamp((x - low) / (high - low), zero, one);
+  return c.formulas.value(select(is_equal(low, high), select(is_less(x, low), zero, one), t * t * (3 - 2 * t)));
+}
 
 } // namespace
 
 std::span<const Builtin> maths() {
   static constexpr Builtin table[] = {
-      {"sin", "angle: number", "sine of an angle in degrees", sine},
-      {"cos", "angle: number", "cosine of an angle in degrees", cosine},
-      {"tan", "angle: number", "tangent of an angle in degrees", tangent},
-      {"asin", "x: number", "the angle from -90 to 90 degrees with this sine", arc<asin_degrees>},
-      {"acos", "x: number", "the angle from 0 to 180 degrees with this cosine", arc<acos_degrees>},
-      {"atan", "x: number", "the angle from -90 to 90 degrees with this tangent", arc_tangent},
-      {"atan2", "y: number, x: number", "the angle of the point (x, y) from -180 to 180 degrees", arc_tangent2},
-      {"sqrt", "x: number", "square root", square_root},
+      {"sin", "angle: number", "sine of an angle in degrees", sine, formula_of<Opcode::sine>},
+      {"cos", "angle: number", "cosine of an angle in degrees", cosine, formula_of<Opcode::cosine>},
+      {"tan", "angle: number", "tangent of an angle in degrees", tangent, formula_of<Opcode::tangent>},
+      {"asin", "x: number", "the angle from -90 to 90 degrees with this sine", arc<asin_degrees>,
+       formula_of<Opcode::arc_sine>},
+      {"acos", "x: number", "the angle from 0 to 180 degrees with this cosine", arc<acos_degrees>,
+       formula_of<Opcode::arc_cosine>},
+      {"atan", "x: number", "the angle from -90 to 90 degrees with this tangent", arc_tangent,
+       formula_of<Opcode::arc_tangent>},
+      {"atan2", "y: number, x: number", "the angle of the point (x, y) from -180 to 180 degrees", arc_tangent2,
+       formula_of<Opcode::arc_tangent2>},
+      {"sqrt", "x: number", "square root", square_root, formula_of<Opcode::square_root>},
       {"abs", "x: number or point", "without its sign; of each number of a vector",
-       each<[](double v) { return std::abs(v); }>},
-      {"sign", "x: number or point", "-1, 0 or 1", each<sign_of>},
-      {"floor", "x: number or point", "the next whole number below", each<[](double v) { return std::floor(v); }>},
-      {"ceil", "x: number or point", "the next whole number above", each<[](double v) { return std::ceil(v); }>},
+       each<[](double v) { return std::abs(v); }>, formula_of_each<term_of<Opcode::absolute>>},
+      {"sign", "x: number or point", "-1, 0 or 1", each<sign_of>, formula_of_each<sign_term>},
+      {"floor", "x: number or point", "the next whole number below", each<[](double v) { return std::floor(v); }>,
+       formula_of_each<term_of<Opcode::floor>>},
+      {"ceil", "x: number or point", "the next whole number above", each<[](double v) { return std::ceil(v); }>,
+       formula_of_each<term_of<Opcode::ceil>>},
       {"round", "x: number or point", "the nearest whole number; halves away from 0",
-       each<[](double v) { return std::round(v); }>},
-      {"trunc", "x: number or point", "the whole part, towards 0", each<[](double v) { return std::trunc(v); }>},
-      {"clamp", "x: number, low: number = 0, high: number = 1", "x held between two bounds", clamped},
+       each<[](double v) { return std::round(v); }>, formula_of_each<term_of<Opcode::round>>},
+      {"trunc", "x: number or point", "the whole part, towards 0", each<[](double v) { return std::trunc(v); }>,
+       formula_of_each<trunc_term>},
+      {"clamp", "x: number, low: number = 0, high: number = 1", "x held between two bounds", clamped, clamped_formula},
       {"smoothstep", "low: number, high: number, x: number", "0 below low, 1 above high, an S-curve between",
-       smooth_step},
-      {"pow", "base: number, exponent: number", "base ^ exponent", power},
-      {"exp", "x: number", "e ^ x", exponential},
-      {"log", "x: number", "natural logarithm", logarithm<[](double v) { return std::log(v); }>},
-      {"log2", "x: number", "logarithm to base 2", logarithm<[](double v) { return std::log2(v); }>},
-      {"log10", "x: number", "logarithm to base 10", logarithm<[](double v) { return std::log10(v); }>},
-      {"hypot", "x…: number", "square root of the sum of the squares", hypotenuse},
-      {"mod", "a: number, b: number", "a % b: the remainder, with the sign of b", modulo},
+       smooth_step, smooth_step_formula},
+      {"pow", "base: number, exponent: number", "base ^ exponent", power, formula_of<Opcode::power>},
+      {"exp", "x: number", "e ^ x", exponential, formula_of<Opcode::exponential>},
+      {"log", "x: number", "natural logarithm", logarithm<[](double v) { return std::log(v); }>,
+       formula_of<Opcode::logarithm>},
+      {"log2", "x: number", "logarithm to base 2", logarithm<[](double v) { return std::log2(v); }>,
+       formula_of<Opcode::logarithm2>},
+      {"log10", "x: number", "logarithm to base 10", logarithm<[](double v) { return std::log10(v); }>,
+       formula_of<Opcode::logarithm10>},
+      {"hypot", "x…: number", "square root of the sum of the squares", hypotenuse, hypotenuse_formula},
+      {"mod", "a: number, b: number", "a % b: the remainder, with the sign of b", modulo, formula_of<Opcode::modulo>},
   };
   return table;
 }

@@ -1,4 +1,5 @@
 #include "lang/builtins/builtins.hpp"
+#include "lang/builtins/formula_calls.hpp"
 #include "renderer/math/noise.hpp"
 #include "renderer/math/random.hpp"
 
@@ -32,13 +33,24 @@ Value noise(BuiltinCall& c) {
   return gradient_noise(*seed, p);
 }
 
+Value noise_formula(BuiltinCall& call) {
+  if (holds_formula(std::span(call.arguments).subspan(1)))
+    return call.fail(1, "the seed of a noise is the same at all points", "this depends on the point");
+  const auto seed = key_hash(call, 1);
+  if (!seed) return Value::poison();
+  const FormulaCall c(call);
+  const TermVector p = c.vector(0);
+  FunctionBuilder& builder = *c.formulas.builder();
+  return c.formulas.value({builder, builder.noise(*seed, p[0].node(), p[1].node(), p[2].node())});
+}
+
 } // namespace
 
 std::span<const Builtin> randoms() {
   static constexpr Builtin table[] = {
       {"random", "key…: any", "a number from 0 up to, but not including, 1 that belongs to the key", random_number},
       {"noise_at", "p: point, seed…: any = ?",
-       "smooth gradient noise, from -1 to 1 and 0 at points with whole coordinates", noise},
+       "smooth gradient noise, from -1 to 1 and 0 at points with whole coordinates", noise, noise_formula},
   };
   return table;
 }

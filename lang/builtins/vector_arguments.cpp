@@ -1,9 +1,11 @@
 #include "lang/builtins/vector_arguments.hpp"
 
+#include "lang/values/formula.hpp"
+
 namespace rt::lang::builtins {
 
 bool have_equal_sizes(BuiltinCall& c) {
-  if (c[0].vector_size() == c[1].vector_size()) return true;
+  if (vector_like_size(c[0]) == vector_like_size(c[1])) return true;
   c.fail(1, "both vectors must have as many numbers");
   return false;
 }

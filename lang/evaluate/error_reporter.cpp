@@ -19,6 +19,10 @@ Value ErrorReporter::fail(Diagnostic error) {
   if (unsure_ > 0 && errors::depends_on_values(error)) return Value::poison();
   Diagnostic* d = report_.add(std::move(error));
   if (!d) return Value::poison();
+  if (compilations_ > 0)
+    d->notes.push_back({std::nullopt, "this function is compiled for all points at once: what depends on the point is "
+                                      "known only while the picture is made, and of an `if` that depends on it both "
+                                      "branches are followed"});
   std::vector<const CallFrame*> calls;
   for (const CallFrame* call = calls_; call; call = call->caller) calls.push_back(call);
   for (std::size_t i = 0; i < calls.size(); ++i) {

@@ -65,11 +65,24 @@ public:
     CallFrame frame_;
   };
 
+  /// While it lives, a function is being compiled for the renderer.
+  class Compilation {
+  public:
+    explicit Compilation(ErrorReporter& reporter) : reporter_(reporter) { ++reporter_.compilations_; }
+    Compilation(const Compilation&) = delete;
+    Compilation& operator=(const Compilation&) = delete;
+    ~Compilation() { --reporter_.compilations_; }
+
+  private:
+    ErrorReporter& reporter_;
+  };
+
 private:
   Report& report_;
   const SymbolTable& symbols_;
   const CallFrame* calls_ = nullptr;
   int unsure_ = 0;
+  int compilations_ = 0;
   std::vector<Diagnostic> printed_;
 };
 

@@ -5,6 +5,7 @@
 #include "lang/evaluate/expressions/frames.hpp"
 #include "lang/evaluate/limit_guard.hpp"
 #include "lang/evaluate/things/description.hpp"
+#include "renderer/functions/function_builder.hpp"
 
 #include <string>
 #include <utility>
@@ -31,7 +32,8 @@ struct Evaluation {
   ErrorReporter errors;
   LimitGuard limits;
   Frames frames;
-  bool has_leftovers = false; ///< shapes may have been made that stand nowhere
+  FunctionBuilder* compiled = nullptr; ///< the function that is being compiled
+  bool has_leftovers = false;          ///< shapes may have been made that stand nowhere
 };
 
 /// Base of the parts: the names by which each knows what they share.

@@ -2,6 +2,7 @@
 
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
+#include "renderer/functions/function.hpp"
 
 #include <fmt/format.h>
 
@@ -74,6 +75,13 @@ void LimitGuard::check_depth(std::uint16_t depth, Span place) {
   if (depth <= most_depth) return;
   give_up(errors::too_deep(place, fmt::format("things or lists are nested more than {} deep", most_depth),
                            "here it was stopped"));
+}
+
+void LimitGuard::check_length(std::size_t instructions, Span place) {
+  if (instructions <= rt::Function::most_instructions) return;
+  give_up(errors::function_too_long(
+      place, fmt::format("this function becomes more than {} instructions", rt::Function::most_instructions),
+      "here it was stopped", "loops and calls that it is made of are written out, one turn after the other"));
 }
 
 void LimitGuard::enter_call(Span place) {

@@ -36,6 +36,8 @@ public:
   void reserve(std::uint64_t bytes, Span place);
   void count_objects(std::size_t count, Span place);
   void check_depth(std::uint16_t depth, Span place);
+  /// Of a function that is being compiled: how many instructions it has.
+  void check_length(std::size_t instructions, Span place);
 
   /// While it lives, calls are nested one deeper.
   class Call {

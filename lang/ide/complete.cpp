@@ -6,6 +6,7 @@
 #include "lang/text/tokens.hpp"
 #include "lang/text/words.hpp"
 #include "lang/values/css_colors.hpp"
+#include "lang/values/properties.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -312,6 +313,7 @@ private:
     }
     add("if", Nearness::function);
     if (property->is_textured()) add_types(Category::pattern);
+    if (takes_function(*property)) add("fn", Nearness::function);
     switch (property->type) {
     case PropertyType::boolean:
       add("true", Nearness::place);

@@ -41,6 +41,8 @@ std::string type_text(const Property& property) {
     return "metal or { n, k }";
   case PropertyType::absorb:
     return "{ color, distance }";
+  case PropertyType::function:
+    return "function of a point";
   case PropertyType::material:
     return "material, colour or pattern";
   case PropertyType::text:

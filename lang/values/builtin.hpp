@@ -56,6 +56,9 @@ struct Builtin {
   Signature signature;
   std::string_view help; ///< one line
   Value (*function)(BuiltinCall& call);
+  /// The same where arguments depend on the point at which a function is evaluated, as a formula (`Formulas`); null
+  /// where that cannot be.
+  Value (*formula)(BuiltinCall& call) = nullptr;
 };
 
 /// One row of the table of chain methods: `thing.name(…)` appends a step.

@@ -1,5 +1,6 @@
 #include "lang/values/heap.hpp"
 
+#include "lang/values/formula.hpp"
 #include "lang/values/thing.hpp"
 
 #include <cassert>
@@ -71,6 +72,8 @@ void Heap::destroy(Cell* cell) {
     return end(static_cast<Thing*>(cell), 0);
   case ValueKind::module:
     return end(static_cast<Module*>(cell), 0);
+  case ValueKind::formula:
+    return end(static_cast<Formula*>(cell), 0);
   case ValueKind::frame:
     return end(static_cast<Frame*>(cell), static_cast<Frame*>(cell)->size * sizeof(Value));
   case ValueKind::chain:

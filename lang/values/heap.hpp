@@ -30,6 +30,7 @@ enum class ValueKind : std::uint8_t {
   closure, ///< a function of the scene's
   thing,
   module,
+  formula, ///< what depends on the point that a function is compiled for
   // Never values, but on the heap like them:
   frame,
   chain,

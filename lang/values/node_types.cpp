@@ -10,7 +10,7 @@ namespace {
 using scene::Field;
 using scene::FieldType;
 
-static_assert(static_cast<int>(PropertyType::absorb) == static_cast<int>(FieldType::absorb));
+static_assert(static_cast<int>(PropertyType::function) == static_cast<int>(FieldType::function));
 
 Property from_field(const Field& f) {
   return {

@@ -30,6 +30,7 @@ enum class PropertyType : std::uint8_t {
   resolution,
   metal,
   absorb,
+  function,
   material,
   text,
 };

@@ -96,6 +96,14 @@ std::optional<Diagnostic> check_color(const Property& property, const Value& val
   return mistake_of(property, check(property.constraint, *color));
 }
 
+/// What a function that was compiled gives, where a number is asked for.
+std::optional<Diagnostic> check_gives_number(const Property& property, const Value& function) {
+  if (function.closure().compiled->results.size() == 1) return std::nullopt;
+  return errors::wrong_property_value(
+      {}, fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property.name),
+      "this function gives a colour");
+}
+
 /// Looks through a pattern, all the way down, for what a property that is a number would not take by itself.
 class PatternCheck {
 public:
@@ -104,8 +112,14 @@ public:
   std::optional<Diagnostic> run(const Thing& pattern) {
     if (!seen_.insert(&pattern).second) return std::nullopt;
     for (std::size_t i = 0; i < pattern.type->properties.size(); ++i) {
+      const auto id = static_cast<std::uint16_t>(i);
+      const PropertyValue* written = pattern.find(id);
+      if (written && is_function(written->value)) {
+        if (auto mistake = check_gives_number(property_, written->value)) return mistake;
+        continue;
+      }
       if (!pattern.type->properties[i].is_textured()) continue;
-      if (auto mistake = check_part(pattern, static_cast<std::uint16_t>(i))) return mistake;
+      if (auto mistake = check_part(pattern, id)) return mistake;
     }
     return std::nullopt;
   }
@@ -226,6 +240,8 @@ std::string_view describe(const Property& property) {
     return "a metal such as gold, or { n: …, k: … }";
   case PropertyType::absorb:
     return "{ color: …, distance: … }";
+  case PropertyType::function:
+    return "a function of a point";
   case PropertyType::material:
     return "a material, a colour or a pattern";
   case PropertyType::text:
@@ -239,7 +255,9 @@ std::optional<Diagnostic> check_value(const Property& property, const Value& val
   // What a pattern holds was checked as colours when it was made.
   if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
   if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
-  if (is_pattern(value) && property.field && !property.field->constant_because.empty())
+  if (is_function(value) && property.is_textured())
+    return property.type == PropertyType::color ? std::nullopt : check_gives_number(property, value);
+  if ((is_pattern(value) || is_function(value)) && property.field && !property.field->constant_because.empty())
     return must_be_constant(property, value);
   switch (property.type) {
   case PropertyType::number:
@@ -264,6 +282,8 @@ std::optional<Diagnostic> check_value(const Property& property, const Value& val
   case PropertyType::metal:
   case PropertyType::absorb:
     return check_parts(property, value);
+  case PropertyType::function:
+    return require(is_function(value), property, value);
   case PropertyType::material:
     return check_material(property, value);
   case PropertyType::text:
@@ -292,7 +312,7 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
   if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
   if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value))
     return Value::point((*size)[0], (*size)[1]);
-  return std::nullopt; // a list of points, which has no value of its own; a default is never a pattern
+  return std::nullopt; // a list of points or a function, which have no value of their own; a default is never a pattern
 }
 
 } // namespace
@@ -356,13 +376,21 @@ std::optional<Color> as_color(const Value& value) {
   return std::nullopt;
 }
 
+bool is_function(const Value& value) {
+  return value.is(ValueKind::closure);
+}
+
+bool takes_function(const Property& property) {
+  return property.is_textured() || property.type == PropertyType::material || property.type == PropertyType::function;
+}
+
 bool is_pattern(const Value& value) {
   return has_category(value, Category::pattern);
 }
 
 bool is_material_like(const Value& value) {
-  return has_category(value, Category::material) || is_pattern(value) || value.is(ValueKind::record) ||
-         (!value.is_number() && as_color(value).has_value());
+  return has_category(value, Category::material) || is_pattern(value) || is_function(value) ||
+         value.is(ValueKind::record) || (!value.is_number() && as_color(value).has_value());
 }
 
 } // namespace rt::lang

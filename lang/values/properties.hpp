@@ -27,9 +27,14 @@ std::optional<std::string_view> as_choice(const Value& value);
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);
 
+/// Whether the value is a function of the scene's, which may stand for the pattern that it is.
+bool is_function(const Value& value);
+/// Whether such a function may be the property's value.
+bool takes_function(const Property& property);
 /// Whether the value is a pattern.
 bool is_pattern(const Value& value);
-/// Whether the value may stand where a material is asked for: a material, a colour, a pattern, a record.
+/// Whether the value may stand where a material is asked for: a material, a colour, a pattern, a function,
+/// a record.
 bool is_material_like(const Value& value);
 
 } // namespace rt::lang

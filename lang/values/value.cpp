@@ -1,6 +1,7 @@
 #include "lang/values/value.hpp"
 
 #include "lang/values/builtin.hpp"
+#include "lang/values/formula.hpp"
 #include "lang/values/thing.hpp"
 #include "renderer/math/hashing.hpp"
 
@@ -56,6 +57,7 @@ std::uint16_t above(std::uint16_t deepest) {
 Value make_list(Heap& heap, std::vector<Value> items) {
   if (items.size() == 3 && are_numbers(items)) return Vec3{items[0].number(), items[1].number(), items[2].number()};
   if (items.size() == 2 && are_numbers(items)) return Value::point(items[0].number(), items[1].number());
+  if (auto vector = formula_vector(heap, items)) return *std::move(vector);
   Ref<List> cell(heap.make<List>(0));
   std::uint16_t deepest = 0;
   for (const Value& v : items) deepest = std::max(deepest, depth_of(v));
@@ -85,7 +87,8 @@ double count(const RangeValue& range, bool excludes_end) {
 }
 
 bool is_sequence(const Value& value) {
-  return value.is(ValueKind::list) || value.is(ValueKind::vector) || value.is(ValueKind::range);
+  return value.is(ValueKind::list) || value.is(ValueKind::vector) || value.is(ValueKind::range) ||
+         is_formula(value, FormulaType::vector);
 }
 
 std::size_t sequence_size(const Value& value) {
@@ -94,6 +97,8 @@ std::size_t sequence_size(const Value& value) {
     return value.items().size();
   case ValueKind::vector:
     return value.vector_size();
+  case ValueKind::formula:
+    return value.formula().size;
   case ValueKind::range:
     return static_cast<std::size_t>(count(value.range(), value.excludes_end()));
   default:
@@ -107,6 +112,8 @@ Value sequence_at(const Value& value, std::size_t i) {
     return value.items()[i];
   case ValueKind::vector:
     return value.vector()[i];
+  case ValueKind::formula:
+    return part_of(value.formula(), i);
   case ValueKind::range:
     return value.range().from + static_cast<double>(i) * value.range().step;
   default:
@@ -187,6 +194,8 @@ bool equal(const Value& a, const Value& b) {
     return equal_things(a.thing(), b.thing());
   case ValueKind::module:
     return a.module().info == b.module().info;
+  case ValueKind::formula:
+    return a.cell() == b.cell();
   default:
     return true;
   }
@@ -218,6 +227,24 @@ std::uint64_t hash(const Value& value) {
   }
   return h.value();
 }
+
+namespace {
+
+std::string_view kind_of(const Formula& formula) {
+  switch (formula.type) {
+  case FormulaType::number:
+    return "a number";
+  case FormulaType::boolean:
+    return "a truth value";
+  case FormulaType::vector:
+    return formula.size == 3 ? "a vector" : "a list of two numbers";
+  case FormulaType::color:
+    return "a colour";
+  }
+  return "";
+}
+
+} // namespace
 
 std::string describe(const Value& value) {
   switch (value.kind()) {
@@ -252,6 +279,8 @@ std::string describe(const Value& value) {
     return "a record";
   case ValueKind::module:
     return "a module";
+  case ValueKind::formula:
+    return fmt::format("{} that depends on the point", kind_of(value.formula()));
   case ValueKind::thing:
     break;
   default:

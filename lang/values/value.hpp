@@ -9,6 +9,7 @@
 #include "renderer/math/vec3.hpp"
 
 #include <cassert>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ struct Record;
 struct Closure;
 struct Thing;
 struct Module;
+struct Formula;
 
 /// a..b by step, or a..<b.
 struct RangeValue {
@@ -104,6 +106,7 @@ public:
   Closure& closure() const;
   Thing& thing() const;
   Module& module() const;
+  Formula& formula() const;
   /// Of what `is_shared`.
   Cell* cell() const { return assert(is_shared()), payload_.cell; }
 
@@ -162,6 +165,7 @@ struct Closure : Cell {
   Closure(const FunctionInfo& f, Ref<Frame> p) : function(&f), parent(std::move(p)) {}
   const FunctionInfo* function;
   Ref<Frame> parent;
+  scene::FunctionRef compiled; ///< as a function of a point, once a property has asked for it
 };
 
 /// What `use` gives: the names of a file.

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "renderer/fields/constraint.hpp"
+#include "renderer/functions/function.hpp"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -92,13 +94,19 @@ enum class FieldType : std::uint8_t {
   resolution, ///< two whole numbers, width and height
   metal,      ///< a record of n and k, or a material that has one
   absorb,     ///< a record of a colour and a distance
+  function,   ///< of a point
 };
 
 /// Width and height in pixels.
 using Resolution = std::array<int, 2>;
 
-using FieldValue =
-    std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution, Metal, Absorb>;
+/// A function that descriptions share: it never changes.
+using FunctionRef = std::shared_ptr<const Function>;
+/// Of a point, the same number everywhere.
+FunctionRef constant_function(double value);
+
+using FieldValue = std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution,
+                                Metal, Absorb, FunctionRef>;
 
 /// One property of a description type.
 struct Field {
@@ -222,6 +230,8 @@ std::optional<Violation> check_points(const Field& field, const T& points) {
   return check_count(field.constraint, points.size());
 }
 
+std::optional<Violation> check_function(const FunctionRef& function);
+
 template <class T>
 std::optional<Violation> check_value(const Field& field, const T& value) {
   if constexpr (std::is_same_v<T, bool>)
@@ -236,6 +246,8 @@ std::optional<Violation> check_value(const Field& field, const T& value) {
     return check_metal(value);
   else if constexpr (std::is_same_v<T, Absorb>)
     return check_absorb(value);
+  else if constexpr (std::is_same_v<T, FunctionRef>)
+    return check_function(value);
   else if constexpr (std::is_same_v<T, Resolution>)
     return check(field.constraint, Vec3{static_cast<double>(value[0]), static_cast<double>(value[1]), 1.0});
   else if constexpr (is_paint<T>)
@@ -264,6 +276,8 @@ constexpr FieldType default_type() {
     return FieldType::metal;
   else if constexpr (std::is_same_v<T, Absorb>)
     return FieldType::absorb;
+  else if constexpr (std::is_same_v<T, FunctionRef>)
+    return FieldType::function;
   else if constexpr (is_points<T>)
     return FieldType::points;
   else if constexpr (std::is_enum_v<T>)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/functions/operation.hpp"
+#include "renderer/functions/opcode.hpp"
 #include "renderer/math/degrees.hpp"
 
 #include <algorithm>
@@ -19,15 +19,15 @@ inline double as_sine(double x) {
 
 /// The value of an operation but `noise`: the same, to the last bit, as the language gives. Not a number where it has
 /// none (the root of a negative number).
-template <Operation operation>
+template <Opcode operation>
 double apply(double a, [[maybe_unused]] double b, [[maybe_unused]] double c) {
-  using enum Operation;
+  using enum Opcode;
   static_assert(operation != noise);
   if constexpr (operation == negate) return -a;
   if constexpr (operation == absolute) return std::abs(a);
-  if constexpr (operation == Operation::floor) return std::floor(a);
-  if constexpr (operation == Operation::ceil) return std::ceil(a);
-  if constexpr (operation == Operation::round) return std::round(a);
+  if constexpr (operation == Opcode::floor) return std::floor(a);
+  if constexpr (operation == Opcode::ceil) return std::ceil(a);
+  if constexpr (operation == Opcode::round) return std::round(a);
   if constexpr (operation == square_root) return std::sqrt(a);
   if constexpr (operation == sine) return sin_degrees(a);
   if constexpr (operation == cosine) return cos_degrees(a);
@@ -50,8 +50,8 @@ double apply(double a, [[maybe_unused]] double b, [[maybe_unused]] double c) {
   if constexpr (operation == maximum) return std::max(a, b);
   if constexpr (operation == arc_tangent2) return atan2_degrees(a, b);
   if constexpr (operation == hypotenuse) return std::hypot(a, b);
-  if constexpr (operation == Operation::less) return a < b ? 1 : 0;
-  if constexpr (operation == Operation::less_equal) return a <= b ? 1 : 0;
+  if constexpr (operation == Opcode::less) return a < b ? 1 : 0;
+  if constexpr (operation == Opcode::less_equal) return a <= b ? 1 : 0;
   if constexpr (operation == equal) return a == b ? 1 : 0;
   if constexpr (operation == and_) return a != 0 && b != 0 ? 1 : 0;
   if constexpr (operation == or_) return a != 0 || b != 0 ? 1 : 0;

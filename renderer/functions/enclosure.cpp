@@ -8,10 +8,6 @@
 namespace rt {
 namespace {
 
-using enum Operation;
-
-constexpr double infinity = Enclosure::infinity;
-
 bool either_undefined(const Enclosure& a, const Enclosure& b) {
   return a.may_be_undefined || b.may_be_undefined;
 }
@@ -31,14 +27,14 @@ bool is_surely_false(const Enclosure& a) {
 }
 
 Enclosure square_root_of(const Enclosure& a) {
-  if (a.upper < 0) return {0, infinity, true};
+  if (a.upper < 0) return {0, Enclosure::infinity, true};
   const double low = std::sqrt(std::max(a.lower, 0.0)), high = std::sqrt(a.upper);
-  return held(outward(low, high, a.may_be_undefined || a.lower < 0), 0, infinity);
+  return held(outward(low, high, a.may_be_undefined || a.lower < 0), 0, Enclosure::infinity);
 }
 
 Enclosure logarithm_of(const Enclosure& a, double (*f)(double)) {
   if (a.upper < 0) return Enclosure::whole(true);
-  return outward(a.lower > 0 ? f(a.lower) : -infinity, f(a.upper), a.may_be_undefined || a.lower < 0, 2);
+  return outward(a.lower > 0 ? f(a.lower) : -Enclosure::infinity, f(a.upper), a.may_be_undefined || a.lower < 0, 2);
 }
 
 // Of a function that never falls.
@@ -46,22 +42,23 @@ Enclosure monotone(const Enclosure& a, double (*f)(double)) {
   return {f(a.lower), f(a.upper), a.may_be_undefined};
 }
 
-template <Operation operation>
+template <Opcode operation>
 Enclosure enclosed(const Enclosure& a) {
+  using enum Opcode;
   if constexpr (operation == negate) return negated(a);
   if constexpr (operation == absolute) return magnitude(a);
-  if constexpr (operation == Operation::floor) return monotone(a, [](double v) { return std::floor(v); });
-  if constexpr (operation == Operation::ceil) return monotone(a, [](double v) { return std::ceil(v); });
-  if constexpr (operation == Operation::round) return monotone(a, [](double v) { return std::round(v); });
+  if constexpr (operation == Opcode::floor) return monotone(a, [](double v) { return std::floor(v); });
+  if constexpr (operation == Opcode::ceil) return monotone(a, [](double v) { return std::ceil(v); });
+  if constexpr (operation == Opcode::round) return monotone(a, [](double v) { return std::round(v); });
   if constexpr (operation == square_root) return square_root_of(a);
-  if constexpr (operation == Operation::sine) return rt::sine(a);
-  if constexpr (operation == Operation::cosine) return rt::cosine(a);
-  if constexpr (operation == Operation::tangent) return rt::tangent(a);
-  if constexpr (operation == Operation::arc_sine) return rt::arc_sine(a);
-  if constexpr (operation == Operation::arc_cosine) return rt::arc_cosine(a);
-  if constexpr (operation == Operation::arc_tangent) return rt::arc_tangent(a);
+  if constexpr (operation == Opcode::sine) return rt::sine(a);
+  if constexpr (operation == Opcode::cosine) return rt::cosine(a);
+  if constexpr (operation == Opcode::tangent) return rt::tangent(a);
+  if constexpr (operation == Opcode::arc_sine) return rt::arc_sine(a);
+  if constexpr (operation == Opcode::arc_cosine) return rt::arc_cosine(a);
+  if constexpr (operation == Opcode::arc_tangent) return rt::arc_tangent(a);
   if constexpr (operation == exponential)
-    return held(outward(std::exp(a.lower), std::exp(a.upper), a.may_be_undefined, 2), 0, infinity);
+    return held(outward(std::exp(a.lower), std::exp(a.upper), a.may_be_undefined, 2), 0, Enclosure::infinity);
   if constexpr (operation == logarithm) return logarithm_of(a, [](double v) { return std::log(v); });
   if constexpr (operation == logarithm2) return logarithm_of(a, [](double v) { return std::log2(v); });
   if constexpr (operation == logarithm10) return logarithm_of(a, [](double v) { return std::log10(v); });
@@ -71,7 +68,7 @@ Enclosure enclosed(const Enclosure& a) {
 Enclosure hypotenuse_of(const Enclosure& a, const Enclosure& b) {
   const Enclosure x = magnitude(a), y = magnitude(b);
   return held(outward(std::hypot(x.lower, y.lower), std::hypot(x.upper, y.upper), either_undefined(a, b), 2), 0,
-              infinity);
+              Enclosure::infinity);
 }
 
 // Of what has no value, `minimum` gives the first operand.
@@ -81,21 +78,21 @@ Enclosure least(const Enclosure& a, const Enclosure& b) {
 }
 
 // `is_same`: both operands are one register.
-template <Operation operation>
+template <Opcode operation>
 Enclosure enclosed(const Enclosure& a, const Enclosure& b, bool is_same) {
+  using enum Opcode;
   if constexpr (operation == add) return sum(a, b);
   if constexpr (operation == subtract) return sum(a, negated(b));
   if constexpr (operation == multiply) return is_same ? square(a) : product(a, b);
   if constexpr (operation == divide) return quotient(a, b);
   if constexpr (operation == modulo) return remainder(a, b);
-  if constexpr (operation == Operation::power) return rt::power(a, b);
+  if constexpr (operation == Opcode::power) return rt::power(a, b);
   if constexpr (operation == minimum) return least(a, b);
   if constexpr (operation == maximum) return negated(least(negated(a), negated(b)));
-  if constexpr (operation == Operation::arc_tangent2) return rt::arc_tangent2(a, b);
+  if constexpr (operation == Opcode::arc_tangent2) return rt::arc_tangent2(a, b);
   if constexpr (operation == hypotenuse) return hypotenuse_of(a, b);
-  if constexpr (operation == Operation::less)
-    return truth(a.upper < b.lower, a.lower >= b.upper, either_undefined(a, b));
-  if constexpr (operation == Operation::less_equal)
+  if constexpr (operation == Opcode::less) return truth(a.upper < b.lower, a.lower >= b.upper, either_undefined(a, b));
+  if constexpr (operation == Opcode::less_equal)
     return truth(a.upper <= b.lower, a.lower > b.upper, either_undefined(a, b));
   if constexpr (operation == equal)
     return truth(a.lower == a.upper && a.lower == b.lower && b.lower == b.upper, a.upper < b.lower || b.upper < a.lower,
@@ -119,7 +116,8 @@ Enclosure noise_within(std::uint64_t seed, const Enclosure& x, const Enclosure& 
   const Enclosure* const sides[] = {&x, &y, &z};
   for (std::size_t i = 0; i < 3; ++i) {
     const Enclosure& side = *sides[i];
-    is_undefined = is_undefined || side.may_be_undefined || side.lower == -infinity || side.upper == infinity;
+    is_undefined = is_undefined || side.may_be_undefined || side.lower == -Enclosure::infinity ||
+                   side.upper == Enclosure::infinity;
     middle[i] = side.lower / 2 + side.upper / 2;
     reach += steepest_noise * std::max(side.upper - middle[i], middle[i] - side.lower);
   }
@@ -137,10 +135,10 @@ void evaluate(const Function& function, std::span<const Enclosure> inputs, Regis
   for (const double constant : function.constants) *own++ = Enclosure::of(constant);
   for (const Instruction& i : function.code) {
     const Enclosure &a = r[i.a], &b = r[i.b], &c = r[i.c];
-    *own++ = dispatch(i.operation, [&]<Operation operation>() {
-      if constexpr (operation == select)
+    *own++ = dispatch(i.operation, [&]<Opcode operation>() {
+      if constexpr (operation == Opcode::select)
         return selected(a, b, c);
-      else if constexpr (operation == noise)
+      else if constexpr (operation == Opcode::noise)
         return noise_within(function.seeds[i.seed], a, b, c);
       else if constexpr (operand_count(operation) == 1)
         return enclosed<operation>(a);

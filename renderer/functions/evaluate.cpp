@@ -13,8 +13,8 @@ void evaluate(const Function& function, std::span<const double> inputs, Register
   double* const r = registers.data();
   double* own = std::ranges::copy(function.constants, std::ranges::copy(inputs, r).out).out;
   for (const Instruction& i : function.code) {
-    *own++ = dispatch(i.operation, [&]<Operation operation>() {
-      if constexpr (operation == Operation::noise)
+    *own++ = dispatch(i.operation, [&]<Opcode operation>() {
+      if constexpr (operation == Opcode::noise)
         return gradient_noise(function.seeds[i.seed], {r[i.a], r[i.b], r[i.c]});
       else
         return apply<operation>(r[i.a], r[i.b], r[i.c]);
@@ -29,9 +29,9 @@ void evaluate(const Function& function, std::span<const Batch> inputs, Registers
   for (const double constant : function.constants) (own++)->lane.fill(constant);
   for (const Instruction& i : function.code) {
     const Batch &a = r[i.a], &b = r[i.b], &c = r[i.c];
-    dispatch(i.operation, [&]<Operation operation>() {
+    dispatch(i.operation, [&]<Opcode operation>() {
       for (std::size_t k = 0; k < Batch::size; ++k) {
-        if constexpr (operation == Operation::noise)
+        if constexpr (operation == Opcode::noise)
           own->lane[k] = gradient_noise(function.seeds[i.seed], {a.lane[k], b.lane[k], c.lane[k]});
         else
           own->lane[k] = apply<operation>(a.lane[k], b.lane[k], c.lane[k]);

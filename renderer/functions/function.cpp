@@ -20,9 +20,8 @@ std::string expression(const Function& function, const Instruction& i) {
   const std::string a = operand(function, i.a), b = operand(function, i.b), c = operand(function, i.c);
   const std::string_view word = spelling(i.operation);
   if (is_infix(i.operation)) return fmt::format("{} {} {}", a, word, b);
-  if (i.operation == Operation::negate) return "-" + a;
-  if (i.operation == Operation::noise)
-    return fmt::format("noise({}, {}, {}, seed {})", a, b, c, function.seeds[i.seed]);
+  if (i.operation == Opcode::negate) return "-" + a;
+  if (i.operation == Opcode::noise) return fmt::format("noise({}, {}, {}, seed {})", a, b, c, function.seeds[i.seed]);
   switch (operand_count(i.operation)) {
   case 1:
     return fmt::format("{}({})", word, a);
@@ -41,8 +40,8 @@ bool is_well_formed(const Function& f) {
   if (!std::ranges::all_of(f.constants, [](double v) { return std::isfinite(v); })) return false;
   Register own = f.first_instruction();
   for (const Instruction& i : f.code) {
-    if (i.operation > Operation::noise || i.a >= own || i.b >= own || i.c >= own) return false;
-    if (i.operation == Operation::noise && i.seed >= f.seeds.size()) return false;
+    if (i.operation > Opcode::noise || i.a >= own || i.b >= own || i.c >= own) return false;
+    if (i.operation == Opcode::noise && i.seed >= f.seeds.size()) return false;
     ++own;
   }
   return std::ranges::all_of(f.results, [&](Register r) { return r < own; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/functions/operation.hpp"
+#include "renderer/functions/opcode.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ using Register = std::uint32_t;
 
 /// One step of a function. Operands that the operation does not have are 0.
 struct Instruction {
-  Operation operation{};
+  Opcode operation{};
   std::uint16_t seed = 0; ///< of noise: index in `Function::seeds`
   Register a = 0, b = 0, c = 0;
   friend bool operator==(const Instruction&, const Instruction&) = default;

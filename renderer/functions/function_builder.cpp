@@ -4,7 +4,6 @@
 #include "renderer/math/hashing.hpp"
 
 #include <bit>
-#include <cassert>
 
 namespace rt {
 
@@ -25,7 +24,10 @@ FunctionBuilder::FunctionBuilder(std::uint32_t input_count)
     : input_count_(input_count), entries_(input_count, Entry{Entry::Kind::input, 0, {}}) {}
 
 FunctionBuilder::Node FunctionBuilder::constant(double value) {
-  assert(std::isfinite(value));
+  if (!std::isfinite(value)) {
+    const double sign = std::isnan(value) ? 0 : value > 0 ? 1 : -1;
+    return apply(Opcode::divide, constant(sign), constant(0));
+  }
   const auto [found, is_new] =
       constants_.try_emplace(std::bit_cast<std::uint64_t>(value), Node{static_cast<std::uint32_t>(entries_.size())});
   if (is_new) entries_.push_back({Entry::Kind::constant, value, {}});
@@ -38,12 +40,12 @@ std::optional<double> FunctionBuilder::constant_value(Node node) const {
 }
 
 // What is infinite or has no value stays an instruction: constants are finite.
-std::optional<double> FunctionBuilder::folded(Operation operation, Node a, Node b, Node c) const {
+std::optional<double> FunctionBuilder::folded(Opcode operation, Node a, Node b, Node c) const {
   const int count = operand_count(operation);
   const auto x = constant_value(a), y = count > 1 ? constant_value(b) : 0.0, z = count > 2 ? constant_value(c) : 0.0;
   if (!x || !y || !z) return std::nullopt;
-  const double value = dispatch(operation, [&]<Operation known>() {
-    if constexpr (known == Operation::noise)
+  const double value = dispatch(operation, [&]<Opcode known>() {
+    if constexpr (known == Opcode::noise)
       return std::numeric_limits<double>::quiet_NaN();
     else
       return rt::apply<known>(*x, *y, *z);
@@ -52,27 +54,27 @@ std::optional<double> FunctionBuilder::folded(Operation operation, Node a, Node 
 }
 
 // Only what is the same to the last bit: x + 0 is not, where x is −0.
-std::optional<FunctionBuilder::Node> FunctionBuilder::simplified(Operation operation, Node a, Node b, Node c) const {
+std::optional<FunctionBuilder::Node> FunctionBuilder::simplified(Opcode operation, Node a, Node b, Node c) const {
   const auto is = [&](Node node, double value) {
     const auto known = constant_value(node);
     return known && std::bit_cast<std::uint64_t>(*known) == std::bit_cast<std::uint64_t>(value);
   };
   switch (operation) {
-  case Operation::multiply:
+  case Opcode::multiply:
     if (is(a, 1)) return b;
     if (is(b, 1)) return a;
     break;
-  case Operation::divide:
+  case Opcode::divide:
     if (is(b, 1)) return a;
     break;
-  case Operation::subtract:
+  case Opcode::subtract:
     if (is(b, 0)) return a;
     break;
-  case Operation::minimum:
-  case Operation::maximum:
+  case Opcode::minimum:
+  case Opcode::maximum:
     if (a == b) return a;
     break;
-  case Operation::select:
+  case Opcode::select:
     if (b == c) return b;
     if (const auto condition = constant_value(a)) return *condition != 0 ? b : c;
     break;
@@ -82,7 +84,7 @@ std::optional<FunctionBuilder::Node> FunctionBuilder::simplified(Operation opera
   return std::nullopt;
 }
 
-FunctionBuilder::Node FunctionBuilder::apply(Operation operation, Node a, Node b, Node c) {
+FunctionBuilder::Node FunctionBuilder::apply(Opcode operation, Node a, Node b, Node c) {
   const int count = operand_count(operation);
   if (count < 2) b = {};
   if (count < 3) c = {};
@@ -94,7 +96,7 @@ FunctionBuilder::Node FunctionBuilder::apply(Operation operation, Node a, Node b
 FunctionBuilder::Node FunctionBuilder::noise(std::uint64_t seed, Node x, Node y, Node z) {
   const auto [found, is_new] = seed_indices_.try_emplace(seed, static_cast<std::uint16_t>(seeds_.size()));
   if (is_new) seeds_.push_back(seed);
-  return add({Operation::noise, found->second, place(x), place(y), place(z)});
+  return add({Opcode::noise, found->second, place(x), place(y), place(z)});
 }
 
 FunctionBuilder::Node FunctionBuilder::add(Instruction instruction) {

@@ -20,10 +20,10 @@ public:
   explicit FunctionBuilder(std::uint32_t input_count);
 
   Node input(std::uint32_t i) const { return Node{i}; }
-  /// It must be finite.
+  /// One that is not finite is made by a division by 0.
   Node constant(double value);
   /// Operands that the operation does not have are passed over.
-  Node apply(Operation operation, Node a, Node b = {}, Node c = {});
+  Node apply(Opcode operation, Node a, Node b = {}, Node c = {});
   Node noise(std::uint64_t seed, Node x, Node y, Node z);
 
   /// The value of a node that is constant.
@@ -43,8 +43,8 @@ private:
   struct KeyHash {
     std::size_t operator()(const Instruction& key) const;
   };
-  std::optional<Node> simplified(Operation operation, Node a, Node b, Node c) const;
-  std::optional<double> folded(Operation operation, Node a, Node b, Node c) const;
+  std::optional<Node> simplified(Opcode operation, Node a, Node b, Node c) const;
+  std::optional<double> folded(Opcode operation, Node a, Node b, Node c) const;
   Node add(Instruction instruction);
 
   std::uint32_t input_count_;

@@ -8,7 +8,7 @@
 namespace rt {
 namespace {
 
-constexpr double per_degree = std::numbers::pi / 180, per_radian = 180 / std::numbers::pi;
+constexpr double radians_per_degree = std::numbers::pi / 180, degrees_per_radian = 180 / std::numbers::pi;
 
 // What does not change stays so, however steep the function of it is: a root at 0.
 Vec3 times(double slope, const Vec3& gradient) {
@@ -21,18 +21,18 @@ double square(double x) {
 }
 
 // The derivative of an operation of one number by it; `value` is the operation's.
-template <Operation operation>
+template <Opcode operation>
 double derivative([[maybe_unused]] double a, [[maybe_unused]] double value) {
-  using enum Operation;
+  using enum Opcode;
   if constexpr (operation == negate) return -1;
   if constexpr (operation == absolute) return a < 0 ? -1 : 1;
   if constexpr (operation == square_root) return 0.5 / value;
-  if constexpr (operation == sine) return cos_degrees(a) * per_degree;
-  if constexpr (operation == cosine) return -sin_degrees(a) * per_degree;
-  if constexpr (operation == tangent) return per_degree * (1 + square(value));
-  if constexpr (operation == arc_sine) return per_radian / std::sqrt((1 - a) * (1 + a));
-  if constexpr (operation == arc_cosine) return -per_radian / std::sqrt((1 - a) * (1 + a));
-  if constexpr (operation == arc_tangent) return per_radian / (1 + square(a));
+  if constexpr (operation == sine) return cos_degrees(a) * radians_per_degree;
+  if constexpr (operation == cosine) return -sin_degrees(a) * radians_per_degree;
+  if constexpr (operation == tangent) return radians_per_degree * (1 + square(value));
+  if constexpr (operation == arc_sine) return degrees_per_radian / std::sqrt((1 - a) * (1 + a));
+  if constexpr (operation == arc_cosine) return -degrees_per_radian / std::sqrt((1 - a) * (1 + a));
+  if constexpr (operation == arc_tangent) return degrees_per_radian / (1 + square(a));
   if constexpr (operation == exponential) return value;
   if constexpr (operation == logarithm) return 1 / a;
   if constexpr (operation == logarithm2) return std::numbers::log2e / a;
@@ -47,9 +47,9 @@ Vec3 power_gradient(const Slope& a, const Slope& b, double value) {
 }
 
 // Of an operation of two numbers or three.
-template <Operation operation>
+template <Opcode operation>
 Vec3 gradient_of(const Slope& a, const Slope& b, const Slope& c, [[maybe_unused]] double value) {
-  using enum Operation;
+  using enum Opcode;
   if constexpr (operation == add) return a.gradient + b.gradient;
   if constexpr (operation == subtract) return a.gradient - b.gradient;
   if constexpr (operation == multiply) return times(b.value, a.gradient) + times(a.value, b.gradient);
@@ -59,7 +59,7 @@ Vec3 gradient_of(const Slope& a, const Slope& b, const Slope& c, [[maybe_unused]
   if constexpr (operation == minimum) return b.value < a.value ? b.gradient : a.gradient;
   if constexpr (operation == maximum) return a.value < b.value ? b.gradient : a.gradient;
   if constexpr (operation == arc_tangent2) {
-    const double scale = per_radian / (square(a.value) + square(b.value));
+    const double scale = degrees_per_radian / (square(a.value) + square(b.value));
     return times(b.value * scale, a.gradient) - times(a.value * scale, b.gradient);
   }
   if constexpr (operation == hypotenuse) {
@@ -70,7 +70,7 @@ Vec3 gradient_of(const Slope& a, const Slope& b, const Slope& c, [[maybe_unused]
   return {}; // comparisons
 }
 
-template <Operation operation>
+template <Opcode operation>
 Slope slope(const Slope& a, const Slope& b, const Slope& c) {
   const double value = apply<operation>(a.value, b.value, c.value);
   if constexpr (operand_count(operation) == 1)
@@ -96,8 +96,8 @@ void evaluate(const Function& function, std::span<const double> inputs, Register
   }
   for (const double constant : function.constants) *own++ = {constant, {}};
   for (const Instruction& i : function.code) {
-    *own++ = dispatch(i.operation, [&]<Operation operation>() {
-      if constexpr (operation == Operation::noise)
+    *own++ = dispatch(i.operation, [&]<Opcode operation>() {
+      if constexpr (operation == Opcode::noise)
         return noise_slope(function.seeds[i.seed], r[i.a], r[i.b], r[i.c]);
       else
         return slope<operation>(r[i.a], r[i.b], r[i.c]);

@@ -15,7 +15,7 @@ double sum_below(double a, double b) {
   return s == 0 ? 0 : next_down(s);
 }
 
-// 0 times infinity is the limit of 0 times a large number.
+// 0 times Enclosure::infinity is the limit of 0 times a large number.
 double corner(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }

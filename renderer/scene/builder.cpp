@@ -37,6 +37,10 @@ void add_to(Hasher& h, const Metal& v) {
 void add_to(Hasher& h, const Absorb& v) {
   h.add(v.color).add(v.distance);
 }
+void add_to(Hasher& h, const FunctionRef& v) {
+  h.add(static_cast<std::uint64_t>(v->code.size()));
+  for (const double constant : v->constants) h.add(constant);
+}
 void add_to(Hasher& h, PatternId v) {
   h.add(std::uint64_t{1} << 32 | static_cast<std::uint64_t>(v));
 }
@@ -105,6 +109,18 @@ MaterialId Builder::add(const Material& material) {
   const auto id = static_cast<MaterialId>(scene.materials.size());
   scene.materials.push_back(material);
   materials_.emplace(h, id);
+  return id;
+}
+
+PatternId Builder::function_pattern(FunctionRef function) {
+  Hasher h;
+  add_to(h, function);
+  for (auto [i, end] = functions_.equal_range(h.value()); i != end; ++i) {
+    const Pattern& known = scene.patterns[static_cast<std::size_t>(i->second)];
+    if (*std::get<FunctionPattern>(known.layout).function == *function) return i->second;
+  }
+  const PatternId id = pattern(Pattern{FunctionPattern{std::move(function)}, {}});
+  functions_.emplace(h.value(), id);
   return id;
 }
 

@@ -23,6 +23,8 @@ public:
   MaterialId material(const Color& color);
   /// It may show patterns that were added before.
   PatternId pattern(Pattern pattern);
+  /// A function as a pattern that stands where it is asked for; equal ones are kept once.
+  PatternId function_pattern(FunctionRef function);
   NameId name(std::string_view text);
   /// For an object's `transform`; `at` is ignored, as it is the object's own. Nothing where the placement flattens, or
   /// stretches without end.
@@ -56,6 +58,7 @@ private:
   std::unordered_map<Color, MaterialId, ColorHash> plain_; // materials that are a colour and nothing else
   std::unordered_multimap<std::uint64_t, MaterialId> materials_;
   std::unordered_multimap<std::uint64_t, TransformId> transforms_;
+  std::unordered_multimap<std::uint64_t, PatternId> functions_;
   std::unordered_map<std::string, NameId> names_;
   std::unordered_map<std::uint32_t, ShapeRef> unions_;             // by index of the group
   std::unordered_map<std::uint32_t, std::string_view> open_parts_; // by index of the group

@@ -2,12 +2,13 @@
 
 #include "renderer/fields/type_list.hpp"
 #include "renderer/patterns/checker.hpp"
+#include "renderer/patterns/function_pattern.hpp"
 #include "renderer/scene/transform.hpp"
 
 namespace rt::scene {
 
 /// All patterns. A new pattern is added here, and its header above.
-using PatternKinds = TypeList<Checker>;
+using PatternKinds = TypeList<Checker, FunctionPattern>;
 using PatternLayout = PatternKinds::Variant;
 
 /// Paints laid out over space. They live in the space of the object that writes `material:`, before that object's own

@@ -1,24 +1,27 @@
 #include "renderer/shading/materials.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace rt {
 namespace {
 
-// Calls f with each property that may be a pattern, in the description and evaluated.
+// Calls f with each property that may be a pattern, in the description and evaluated, and what numbers it may be.
 template <class F>
 void for_each_textured(F&& f) {
-  f(&scene::Material::color, &MaterialValues::color);
-  f(&scene::Material::ambient, &MaterialValues::ambient);
-  f(&scene::Material::diffuse, &MaterialValues::diffuse);
-  f(&scene::Material::emission, &MaterialValues::emission);
-  f(&scene::Material::specular, &MaterialValues::specular);
-  f(&scene::Material::shininess, &MaterialValues::shininess);
-  f(&scene::Material::metallic, &MaterialValues::metallic);
-  f(&scene::Material::reflect, &MaterialValues::reflect);
-  f(&scene::Material::refract, &MaterialValues::refract);
-  f(&scene::Material::roughness, &MaterialValues::roughness);
-  f(&scene::Material::coat, &MaterialValues::coat);
+  using namespace scene;
+  f(&Material::color, &MaterialValues::color, not_negative);
+  f(&Material::ambient, &MaterialValues::ambient, not_negative);
+  f(&Material::diffuse, &MaterialValues::diffuse, not_negative);
+  f(&Material::emission, &MaterialValues::emission, not_negative);
+  f(&Material::specular, &MaterialValues::specular, not_negative);
+  f(&Material::shininess, &MaterialValues::shininess, positive);
+  f(&Material::metallic, &MaterialValues::metallic, zero_to_one);
+  f(&Material::reflect, &MaterialValues::reflect, not_negative);
+  f(&Material::refract, &MaterialValues::refract, zero_to_one);
+  f(&Material::roughness, &MaterialValues::roughness, zero_to_one);
+  f(&Material::coat, &MaterialValues::coat, zero_to_one);
 }
 
 // What a property shows, or null if it is not written.
@@ -33,6 +36,10 @@ const P* shown(const scene::Implicit<P>& paint) {
 template <class P>
 const P* shown(const std::optional<P>& paint) {
   return paint ? &*paint : nullptr;
+}
+
+double least(const scene::Constraint& allowed) {
+  return allowed.min_is_excluded ? std::nextafter(allowed.min, allowed.max) : allowed.min;
 }
 
 } // namespace
@@ -68,11 +75,11 @@ void Materials::add(const scene::Material& described) {
   if (m.absorb && is_medium(m)) entry.absorption = Absorption(*m.absorb);
   absorbs_ = absorbs_ || !entry.absorption.is_clear();
   entry.roughness_implies_shininess = m.roughness && m.roughness->index() == 1 && !m.shininess.is_written();
-  for_each_textured([&](auto member, auto property) {
+  for_each_textured([&](auto member, auto property, const scene::Constraint& allowed) {
     const auto* paint = shown(m.*member);
     if (!paint) return;
     if (const scene::PatternId* pattern = std::get_if<scene::PatternId>(paint))
-      textures_.push_back({*pattern, property});
+      textures_.push_back({*pattern, property, least(allowed), allowed.max});
     else
       entry.values.*property = std::get<0>(*paint);
   });
@@ -85,12 +92,13 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   for (std::uint32_t i = 0; i < entry.texture_count; ++i) {
     const Texture& texture = textures_[entry.first_texture + i];
     const Color shown = evaluate(texture.pattern, p);
+    const double number_shown = std::clamp(shown.r, texture.least, texture.most);
     if (const auto* color = std::get_if<Color MaterialValues::*>(&texture.property))
       values.** color = shown;
     else if (const auto* number = std::get_if<double MaterialValues::*>(&texture.property))
-      values.** number = shown.r;
+      values.** number = number_shown;
     else
-      values.*std::get<std::optional<double> MaterialValues::*>(texture.property) = shown.r;
+      values.*std::get<std::optional<double> MaterialValues::*>(texture.property) = number_shown;
   }
   if (entry.roughness_implies_shininess) values.shininess = scene::shininess_of(*values.roughness);
   return values;

@@ -72,10 +72,11 @@ private:
     std::uint32_t first_texture = 0, texture_count = 0;
     bool roughness_implies_shininess = false; ///< a pattern gives the former
   };
-  // A property that a pattern gives.
+  // A property that a pattern gives. A function may give numbers beyond what the property takes: they are held.
   struct Texture {
     scene::PatternId pattern;
     std::variant<Color MaterialValues::*, double MaterialValues::*, std::optional<double> MaterialValues::*> property;
+    double least, most; // where it is a number
   };
   struct Pattern {
     Affine to_pattern; // from the space it lives in

@@ -125,6 +125,11 @@ private:
     number("pattern", static_cast<double>(pattern));
     sink_.end_object();
   }
+  void value(const scene::Field&, const scene::FunctionRef& function) {
+    sink_.begin_array();
+    for (const std::string& line : listing(*function)) sink_.string(line);
+    sink_.end_array();
+  }
   void value(const scene::Field&, const scene::Fade& fade) {
     sink_.begin_object();
     text("law", scene::name(fade.law));

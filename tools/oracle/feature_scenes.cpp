@@ -116,6 +116,10 @@ constexpr FeatureEntry materials[] = {
      "scale: 0.35 }"},
     {"pattern_of_refract",
      "color: khaki, refract: checker { a: 0.9, b: 0, scale: 0.45 }, ior: 1.25, reflect: 0.5, fresnel: true"},
+    {"pattern_by_function", "color: fn(p) => hsv(400 * length(p), 0.7, 0.5 + 0.5 * sin(900 * p.y))"},
+    {"pattern_by_function_of_numbers",
+     "color: khaki, specular: fn(p) => abs(sin(400 * p.x)), reflect: pattern { of: fn(p) => rgb(p.x % 1, 0.2, "
+     "p.y % 1), scale: 0.4, rotate: [10, 20, 30] }, emission: fn(p) => if p.z > 0.2 { 0.3 } else { 0 }"},
     {"pattern_in_glass",
      "color: checker { a: white, b: skyblue, scale: 0.37 }, refract: 0.85, ior: 1.25, diffuse: 0.3"},
 };

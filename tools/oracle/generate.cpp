@@ -1,9 +1,12 @@
 #include "tools/oracle/generate.hpp"
 
+#include "tools/oracle/generate_functions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rt::tools::oracle {
 namespace {
@@ -39,6 +42,13 @@ std::string color(Dice& dice) {
   }
 }
 
+void set_placement(Dice& dice, Block& pattern) {
+  if (dice.chance(0.7))
+    pattern.set("scale", dice.chance(0.7) ? text(dice.length(0.2, 0.8)) : text(dice.point(0.2, 0.9)));
+  if (dice.chance(0.4)) pattern.set("rotate", text(dice.vector(-90, 90)));
+  if (dice.chance(0.4)) pattern.set("at", text(dice.point(-0.5, 0.5)));
+}
+
 Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& value) {
   Block b = block("checker");
   for (const char* part : {"a", "b"}) {
@@ -47,10 +57,22 @@ Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& va
     else
       b.set(part, value(dice));
   }
-  if (dice.chance(0.7)) b.set("scale", dice.chance(0.7) ? text(dice.length(0.2, 0.8)) : text(dice.point(0.2, 0.9)));
-  if (dice.chance(0.4)) b.set("rotate", text(dice.vector(-90, 90)));
-  if (dice.chance(0.4)) b.set("at", text(dice.point(-0.5, 0.5)));
+  set_placement(dice, b);
   return b;
+}
+
+// A function that stands for its pattern, or is placed as one.
+void set_function(Dice& dice, Block& owner, const char* name, std::string function) {
+  if (dice.chance(0.6)) {
+    owner.set(name, std::move(function));
+    return;
+  }
+  Block pattern = block("pattern");
+  pattern.set("of", std::move(function));
+  const double unit = std::exchange(dice.length_unit, 1); // the function itself is in the scene's
+  set_placement(dice, pattern);
+  dice.length_unit = unit;
+  owner.set(name, std::move(pattern));
 }
 
 // POV-Ray keeps an index of refraction in 32 bits: multiples of 1/64 are exact there, and others show that the check
@@ -68,6 +90,7 @@ void set_value(Dice& dice, Block& material, const char* name, const std::functio
 }
 
 void set_number(Dice& dice, Block& material, const char* name, double low, double high) {
+  if (dice.chance(0.1)) return set_function(dice, material, name, random_number_function(dice, low, high));
   set_value(dice, material, name, [&](Dice& d) { return text(d.between(low, high)); });
 }
 
@@ -88,6 +111,8 @@ Block opaque(Dice& dice) {
   Block m = block("material");
   if (dice.chance(0.25))
     m.set("color", checker(dice, 0, color));
+  else if (dice.chance(0.25))
+    set_function(dice, m, "color", random_color_function(dice));
   else
     m.set("color", color(dice));
   if (dice.chance(0.25)) set_number(dice, m, "ambient", 0, 1.5);
@@ -121,7 +146,7 @@ Block floor(Dice& dice) {
         .set("offset", text(dice.length(-2.2, -1.6)));
   Block m = opaque(dice);
   // Cells far away hang on the last digits of a ray that was mirrored before.
-  std::erase_if(m.props, [](const Prop& p) { return !p.block.empty(); });
+  std::erase_if(m.props, [](const Prop& p) { return !p.block.empty() || p.text.starts_with("fn"); });
   // What is opaque has no inside, be it thin or not.
   Dice own(Dice(dice).bits());
   if (own.chance(0.2)) m.set("thin", "true");

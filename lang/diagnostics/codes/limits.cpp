@@ -31,6 +31,12 @@ std::span<const Code> limits() {
        "To put many things together, place them in one group, or keep them in one list.",
        "chain = fold(fn(inner, i) => group { inner }, sphere {}, 0..2000)\nchain",
        "group { for i in 0..2000 { sphere { at: [3 * i, 0, 0] } } }"},
+      {"E0507", "A function of the point is too long",
+       "A function that a pattern is made of is compiled for the renderer: calls are written out, and loops turn by "
+       "turn. "
+       "The result may have 65,536 instructions.",
+       "ball = sphere {}\nball { material: fn(p) => sum([sin(i * p.x) for i in 0..40000]) }",
+       "ball = sphere {}\nball { material: fn(p) => sum([sin(i * p.x) for i in 0..40]) }"},
   };
   return table;
 }

@@ -64,6 +64,11 @@ std::span<const Code> values() {
        "expression: the value of it all.",
        "fn half(x) { y = x / 2 }\nsphere { radius: half(1) }",
        "fn half(x) {\n  y = x / 2\n  y\n}\nsphere { radius: half(1) }"},
+      {"E0315", "A value is needed that is known only while the picture is made",
+       "A function that a pattern is made of is compiled once, for all points. What depends on the point can be "
+       "computed "
+       "with, compared and chosen by, but it cannot be sorted, printed, be a seed, or decide between things.",
+       "sphere { material: fn(p) => random(p.x) }", "sphere { material: fn(p) => noise_at(p) }"},
   };
   return table;
 }

@@ -60,6 +60,10 @@ Diagnostic range_stands_still(Span place, std::string message, std::string label
   return make(range_stands_still_code, place, std::move(message), std::move(label), std::move(advice));
 }
 
+Diagnostic not_known_yet(Span place, std::string message, std::string label, std::string advice) {
+  return make("E0315", place, std::move(message), std::move(label), std::move(advice));
+}
+
 Diagnostic unused_value(Span place, std::string message, std::string label, std::string advice) {
   return make(unused_value_code, place, std::move(message), std::move(label), std::move(advice));
 }
@@ -126,6 +130,10 @@ Diagnostic too_many_objects(Span place, std::string message, std::string label, 
 
 Diagnostic too_much_memory(Span place, std::string message, std::string label, std::string advice) {
   return make("E0504", place, std::move(message), std::move(label), std::move(advice));
+}
+
+Diagnostic function_too_long(Span place, std::string message, std::string label, std::string advice) {
+  return make("E0507", place, std::move(message), std::move(label), std::move(advice));
 }
 
 Diagnostic stopped(Span place, std::string message, std::string label, std::string advice) {

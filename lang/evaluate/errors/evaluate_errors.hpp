@@ -15,6 +15,8 @@ Diagnostic no_element(Span place, std::string message, std::string label = {}, s
 Diagnostic wrong_argument(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic no_result(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic range_stands_still(Span place, std::string message, std::string label = {}, std::string advice = {});
+/// Of what is known only while the picture is made.
+Diagnostic not_known_yet(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic unused_value(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic open_in_combination(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic light_in_combination(Span place, std::string message, std::string label = {}, std::string advice = {});
@@ -32,6 +34,7 @@ Diagnostic too_many_steps(Span place, std::string message, std::string label = {
 Diagnostic calls_too_deep(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic too_many_objects(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic too_much_memory(Span place, std::string message, std::string label = {}, std::string advice = {});
+Diagnostic function_too_long(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic stopped(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic wrong_define(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic param_out_of_range(Span place, std::string message, std::string label = {}, std::string advice = {});

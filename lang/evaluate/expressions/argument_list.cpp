@@ -37,6 +37,21 @@ bool is_of(const Value& value, const SignatureParameter& parameter) {
   return parameter.takes(ArgumentType::color) && as_color(value).has_value();
 }
 
+bool is_of(const Formula& formula, const SignatureParameter& parameter) {
+  switch (formula.type) {
+  case FormulaType::number:
+    return parameter.takes(ArgumentType::number) || parameter.takes(ArgumentType::color);
+  case FormulaType::boolean:
+    return parameter.takes(ArgumentType::boolean);
+  case FormulaType::vector:
+    return parameter.takes(ArgumentType::point) || parameter.takes(ArgumentType::list) ||
+           (formula.size == 3 && parameter.takes(ArgumentType::vector));
+  case FormulaType::color:
+    return parameter.takes(ArgumentType::color);
+  }
+  return false;
+}
+
 /// "a number or a vector" of "number or vector".
 std::string with_articles(std::string_view types) {
   std::string text;
@@ -60,8 +75,9 @@ std::string with_articles(std::string_view types) {
 } // namespace
 
 ArgumentList::ArgumentList(Evaluation& evaluation, CallEvaluator& calls, ThingSource& things, std::string_view name,
-                           const Signature& signature, Span place)
-    : evaluation_(evaluation), calls_(calls), things_(things), name_(name), signature_(signature), place_(place) {
+                           const Signature& signature, Span place, bool takes_formulas)
+    : evaluation_(evaluation), calls_(calls), things_(things), name_(name), signature_(signature), place_(place),
+      takes_formulas_(takes_formulas) {
   arguments.resize(signature.size() - (signature.has_rest() ? 1 : 0), Value::unset());
   places_.resize(arguments.size());
 }
@@ -135,6 +151,7 @@ bool ArgumentList::are_complete() {
 bool ArgumentList::check_type(std::size_t i) {
   const SignatureParameter& parameter = signature_[std::min(i, signature_.size() - 1)];
   if (is_of(arguments[i], parameter)) return true;
+  if (takes_formulas_ && arguments[i].is(ValueKind::formula) && is_of(arguments[i].formula(), parameter)) return true;
   return refuse(
       errors::wrong_argument(place_of(i),
                              fmt::format("`{}` takes {} for `{}`, not {}", name_, with_articles(parameter.types_text),

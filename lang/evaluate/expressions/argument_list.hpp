@@ -10,11 +10,12 @@ class CallEvaluator;
 class ExpressionEvaluator;
 class ThingSource;
 
-/// The arguments of a call of a built-in function or chain method, in the order of its parameters.
+/// The arguments of a call of a built-in function or chain method, in the order of its parameters. With
+/// `takes_formulas`, they may depend on the point for which a function is compiled.
 class ArgumentList final : public BuiltinCall {
 public:
   ArgumentList(Evaluation& evaluation, CallEvaluator& calls, ThingSource& things, std::string_view name,
-               const Signature& signature, Span place);
+               const Signature& signature, Span place, bool takes_formulas = false);
 
   /// Evaluates the arguments of a call node and checks them; false after a mistake, or where one is poison.
   bool read(NodeId node, const Context& context, ExpressionEvaluator& expressions);
@@ -45,6 +46,7 @@ private:
   std::string_view name_;
   const Signature& signature_;
   Span place_;
+  bool takes_formulas_;
   std::vector<Span> places_;
 };
 

@@ -120,13 +120,19 @@ Value CallEvaluator::call_function(const Value& callee, std::vector<Value> argum
 }
 
 Value CallEvaluator::call_builtin(const Builtin& builtin, NodeId node, const Context& context) {
-  ArgumentList arguments(evaluation_, *this, things_, builtin.name, builtin.signature, context.ast().span(node));
-  return arguments.read(node, context, expressions_) ? builtin.function(arguments) : Value::poison();
+  const Span place = context.ast().span(node);
+  ArgumentList arguments(evaluation_, *this, things_, builtin.name, builtin.signature, place, builtin.formula);
+  return arguments.read(node, context, expressions_) ? run_builtin(builtin, arguments, place) : Value::poison();
 }
 
 Value CallEvaluator::call_builtin_with(const Builtin& builtin, std::vector<Value> values, Span place) {
-  ArgumentList arguments(evaluation_, *this, things_, builtin.name, builtin.signature, place);
-  return arguments.take(std::move(values)) ? builtin.function(arguments) : Value::poison();
+  ArgumentList arguments(evaluation_, *this, things_, builtin.name, builtin.signature, place, builtin.formula);
+  return arguments.take(std::move(values)) ? run_builtin(builtin, arguments, place) : Value::poison();
+}
+
+Value CallEvaluator::run_builtin(const Builtin& builtin, BuiltinCall& arguments, Span place) {
+  if (evaluation_.compiled && holds_formula(arguments.arguments)) return formulas_.call(builtin, arguments, place);
+  return builtin.function(arguments);
 }
 
 Value CallEvaluator::call_chain(const Value& base, const ChainMethod& method, NodeId node, const Context& context) {

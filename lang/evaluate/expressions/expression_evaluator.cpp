@@ -227,8 +227,7 @@ Value ExpressionEvaluator::range_value(NodeId node, const Context& context) {
   return Value::range(range, parts.excludes_end);
 }
 
-bool ExpressionEvaluator::is_true(NodeId condition, const Context& context, bool& is_poison) {
-  const Value value = evaluate(condition, context);
+bool ExpressionEvaluator::truth_of(const Value& value, NodeId condition, const Context& context, bool& is_poison) {
   if (value.is(ValueKind::boolean)) return value.truth();
   is_poison = true;
   if (!value.is_poison())
@@ -239,8 +238,10 @@ bool ExpressionEvaluator::is_true(NodeId condition, const Context& context, bool
 
 Value ExpressionEvaluator::if_value(NodeId node, const Context& context) {
   const IfNode branch = context.ast().if_node(node);
+  const Value value = evaluate(branch.condition, context);
+  if (is_formula(value, FormulaType::boolean)) return choice_value(value, node, context);
   bool is_poison = false;
-  const bool condition = is_true(branch.condition, context, is_poison);
+  const bool condition = truth_of(value, branch.condition, context, is_poison);
   if (is_poison) { // both may hold mistakes of their own
     const ErrorReporter::Unsure unsure(errors_);
     evaluate(branch.then, context);
@@ -249,6 +250,15 @@ Value ExpressionEvaluator::if_value(NodeId node, const Context& context) {
   }
   if (condition) return evaluate(branch.then, context);
   return branch.otherwise == no_node ? Value::poison() : evaluate(branch.otherwise, context);
+}
+
+// Both branches are evaluated: which of them counts is known only at a point.
+Value ExpressionEvaluator::choice_value(const Value& condition, NodeId node, const Context& context) {
+  const IfNode branch = context.ast().if_node(node);
+  const Value then = evaluate(branch.then, context);
+  const Value otherwise = branch.otherwise == no_node ? Value::poison() : evaluate(branch.otherwise, context);
+  if (then.is_poison() || otherwise.is_poison()) return Value::poison();
+  return formulas_.choice(condition, then, otherwise, context.ast().span(node));
 }
 
 void ExpressionEvaluator::declare(NodeId item, const Context& context) {
@@ -301,8 +311,10 @@ Value ExpressionEvaluator::unary_value(NodeId node, const Context& context) {
   const Ast& ast = context.ast();
   const NodeId operand = ast.operand(node);
   if (ast.op(node) == Op::not_) {
+    const Value value = evaluate(operand, context);
+    if (is_formula(value, FormulaType::boolean)) return formulas_.negation(value, ast.span(node));
     bool is_poison = false;
-    const bool truth = is_true(operand, context, is_poison);
+    const bool truth = truth_of(value, operand, context, is_poison);
     return is_poison ? Value::poison() : Value::boolean(!truth);
   }
   const Value value = evaluate(operand, context);
@@ -311,8 +323,13 @@ Value ExpressionEvaluator::unary_value(NodeId node, const Context& context) {
 
 Value ExpressionEvaluator::logic_value(NodeId node, const Context& context) {
   const Ast& ast = context.ast();
+  const Value first = evaluate(ast.left(node), context);
+  if (is_formula(first, FormulaType::boolean)) {
+    const Value second = evaluate(ast.right(node), context);
+    return second.is_poison() ? second : formulas_.logic(ast.op(node), first, second, ast.span(ast.right(node)));
+  }
   bool is_poison = false;
-  const bool left = is_true(ast.left(node), context, is_poison);
+  const bool left = truth_of(first, ast.left(node), context, is_poison);
   if (is_poison) {
     const ErrorReporter::Unsure unsure(errors_);
     evaluate(ast.right(node), context);
@@ -320,7 +337,9 @@ Value ExpressionEvaluator::logic_value(NodeId node, const Context& context) {
   }
   const bool decides = ast.op(node) == Op::or_;
   if (left == decides) return Value::boolean(decides);
-  const bool right = is_true(ast.right(node), context, is_poison);
+  const Value second = evaluate(ast.right(node), context);
+  if (is_formula(second, FormulaType::boolean)) return second;
+  const bool right = truth_of(second, ast.right(node), context, is_poison);
   return is_poison ? Value::poison() : Value::boolean(right);
 }
 

@@ -35,11 +35,14 @@ protected:
 class ExpressionEvaluator : private EvaluationPart {
 public:
   ExpressionEvaluator(Evaluation& evaluation, ThingSource& things)
-      : EvaluationPart(evaluation), things_(things), operators_(evaluation), calls_(evaluation, *this, things) {}
+      : EvaluationPart(evaluation), things_(things), operators_(evaluation), calls_(evaluation, *this, things),
+        formulas_(evaluation) {}
 
   Value evaluate(NodeId node, const Context& context);
   /// Of a condition. False where it is in error, and then `is_poison`.
-  bool is_true(NodeId condition, const Context& context, bool& is_poison);
+  bool is_true(NodeId condition, const Context& context, bool& is_poison) {
+    return truth_of(evaluate(condition, context), condition, context, is_poison);
+  }
   /// Gives the name that an item binds its value.
   void declare(NodeId item, const Context& context);
   Value member_of(const Value& base, NodeId node, const Context& context);
@@ -47,12 +50,16 @@ public:
   /// Calls body(context) for each element of the head of a `for`, its variables set.
   template <class Body>
   void for_each(NodeId node, const Context& context, Body&& body);
+  Value call_function(const Value& function, std::vector<Value> arguments, Span place) {
+    return calls_.call_function(function, std::move(arguments), place);
+  }
   /// Gives the parameters that were not passed their defaults; false after a mistake.
   bool fill_defaults(const FunctionInfo& function, Frame& frame, Span place) {
     return calls_.fill_defaults(function, frame, place);
   }
 
 private:
+  bool truth_of(const Value& value, NodeId condition, const Context& context, bool& is_poison);
   Value name_value(NodeId node, const Context& context);
   Value list_value(NodeId node, const Context& context);
   Value record_value(NodeId node, const Context& context);
@@ -65,6 +72,7 @@ private:
   Value unknown_member(std::string message, std::string_view word, Span place, std::span<const std::string_view> names);
   Value range_value(NodeId node, const Context& context);
   Value if_value(NodeId node, const Context& context);
+  Value choice_value(const Value& condition, NodeId node, const Context& context);
   Value value_block(NodeId block, const Context& context);
   Value unary_value(NodeId node, const Context& context);
   Value binary_value(NodeId node, const Context& context);
@@ -74,6 +82,7 @@ private:
   ThingSource& things_;
   Operators operators_;
   CallEvaluator calls_;
+  FormulaEvaluator formulas_;
 };
 
 template <class Body>

@@ -94,6 +94,9 @@ Value ExpressionEvaluator::member_of(const Value& base, NodeId node, const Conte
     if (word == "g") return base.color().g;
     if (word == "b") return base.color().b;
     return unknown(fmt::format("a colour has no part `{}`", word), {});
+  case ValueKind::formula:
+    if (auto part = formula_member(base, word)) return *std::move(part);
+    return unknown(fmt::format("{} has no part `{}`", describe(base), word), {});
   case ValueKind::thing:
     return thing_member(base.thing(), node, context);
   default:

@@ -46,10 +46,13 @@ double Operators::compute(Op op, double a, double b) {
 Value Operators::with_sign(Op op, const Value& value, Span place) {
   if (value.is_number()) return op == Op::plus ? value.number() : -value.number();
   if (value.is(ValueKind::vector)) return op == Op::plus ? value : like(value, -value.vector());
+  if (value.is(ValueKind::formula)) return formulas_.with_sign(op, value, place);
   return fail(errors::wrong_operand(place, fmt::format("`{}` cannot be applied to {}", spelling(op), describe(value))));
 }
 
 Value Operators::binary(Op op, const Value& left, const Value& right, Span place) {
+  if (evaluation_.compiled && (holds_formula(left) || holds_formula(right)))
+    return formulas_.binary(op, left, right, place);
   switch (op) {
   case Op::equal:
     return Value::boolean(equal(left, right));

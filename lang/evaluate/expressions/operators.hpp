@@ -1,13 +1,13 @@
 #pragma once
 
-#include "lang/evaluate/evaluation.hpp"
+#include "lang/evaluate/expressions/formula_evaluator.hpp"
 
 namespace rt::lang {
 
 /// The operators on values: arithmetic and comparison. `and`, `or` and the combination of solids are not among them.
 class Operators : private EvaluationPart {
 public:
-  explicit Operators(Evaluation& evaluation) : EvaluationPart(evaluation) {}
+  explicit Operators(Evaluation& evaluation) : EvaluationPart(evaluation), formulas_(evaluation) {}
 
   /// `-x` or `+x`.
   Value with_sign(Op op, const Value& value, Span place);
@@ -21,6 +21,8 @@ private:
   Value vector_arithmetic(Op op, const Value& left, const Value& right, Span place);
   Value color_arithmetic(Op op, const Color& left, const Color& right, Span place);
   Value wrong_operands(Op op, const Value& left, const Value& right, Span place);
+
+  FormulaEvaluator formulas_;
 };
 
 /// Whether the operator combines solids, where both sides are things.

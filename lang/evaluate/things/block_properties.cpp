@@ -56,15 +56,9 @@ void BlockEvaluator::set_property(PropertyBlock& block, std::uint16_t id, Value 
   const bool is_parameter = (id & parameter_bit) != 0;
   const Property* property = is_parameter ? nullptr : &block.type->properties[id];
   const std::string_view word = is_parameter ? name(block.def->parameters[id ^ parameter_bit].name) : property->name;
-  if (property && property->type == PropertyType::material && value.is(ValueKind::record))
-    value = things_.as_material(value.record(), place);
   if (is_written(block, id, word, name_place)) return;
   if (property) {
-    if (auto mistake = check_value(*property, value)) {
-      mistake->span = place;
-      fail(*std::move(mistake));
-      value = Value::poison();
-    }
+    things_.prepare(*property, value, place);
     if (property->form != 0) { // the form that is written drops the inherited other one
       std::erase_if(block.values, [&](const PropertyValue& p) {
         const int form = (p.id & parameter_bit) != 0 ? 0 : block.type->properties[p.id].form;

@@ -32,6 +32,7 @@ DescriptionWriter::DescriptionWriter(const SourceMap& sources, scene::Builder& b
 
 FieldValue DescriptionWriter::field_value(const Property& property, const Value& value) {
   if (property.is_textured() && is_pattern(value)) return pattern(value.thing());
+  if (property.is_textured() && is_function(value)) return pattern(value.closure());
   switch (property.type) {
   case PropertyType::number:
     return value.number();
@@ -56,6 +57,8 @@ FieldValue DescriptionWriter::field_value(const Property& property, const Value&
   case PropertyType::metal:
   case PropertyType::absorb:
     return *as_parts(property, value);
+  case PropertyType::function:
+    return value.closure().compiled;
   case PropertyType::material:
   case PropertyType::text:
     break; // no field is of these types
@@ -105,9 +108,9 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
     }
     return scene::MaterialId{thing.built};
   }
-  if (!is_pattern(value)) return builder_.material(*as_color(value));
+  if (!is_pattern(value) && !is_function(value)) return builder_.material(*as_color(value));
   scene::Material made;
-  made.color = pattern(value.thing());
+  made.color = is_function(value) ? pattern(value.closure()) : pattern(value.thing());
   return builder_.material(made);
 }
 
@@ -129,6 +132,10 @@ scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
                     thing.chain ? thing.chain->steps : std::vector<scene::Step>{}};
   thing.built = static_cast<std::uint32_t>(builder_.pattern(std::move(made)));
   return scene::PatternId{thing.built};
+}
+
+scene::PatternId DescriptionWriter::pattern(const Closure& function) {
+  return builder_.function_pattern(function.compiled);
 }
 
 std::optional<scene::TransformId> DescriptionWriter::transform(const ObjectAttributes& attributes_of,

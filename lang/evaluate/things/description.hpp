@@ -32,6 +32,8 @@ public:
 
   scene::MaterialId material(const Value& value);
   scene::PatternId pattern(const Thing& pattern);
+  /// Of a function that stands where a pattern does.
+  scene::PatternId pattern(const Closure& function);
   /// Nothing where the placement flattens: its determinant is 0 or not finite.
   std::optional<scene::TransformId> transform(const ObjectAttributes& attributes_of, const Chain* chain);
   scene::Origin origin(Span span);

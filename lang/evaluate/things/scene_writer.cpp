@@ -227,7 +227,7 @@ void SceneWriter::remark_medium(const ThingView& described, scene::ShapeRef made
   const PropertyValue* thin = thing.find(*thing.type->find(std::string_view("thin")));
   if (!refract || ior || (thin && thin->value.is(ValueKind::boolean) && thin->value.truth())) return;
   const Value& share = refract->value;
-  const bool bends_nothing = is_pattern(share) || (share.is_number() && share.number() > 0);
+  const bool bends_nothing = is_pattern(share) || is_function(share) || (share.is_number() && share.number() > 0);
   if (!bends_nothing || !builder_.open_part(made).empty()) return;
   if (Diagnostic* d = errors_.report().remark(lint_rule::no_ior.code, refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";

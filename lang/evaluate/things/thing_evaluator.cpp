@@ -60,14 +60,18 @@ void ThingEvaluator::simple_properties(NodeId node, const Context& context, cons
     p.id = static_cast<std::uint16_t>(ast[item].extra - 1);
     p.span = ast.span(value_node);
     p.value = expressions_.evaluate(value_node, context);
-    const Property& property = type.properties[p.id];
-    if (property.type == PropertyType::material && p.value.is(ValueKind::record))
-      p.value = as_material(p.value.record(), p.span);
-    if (auto mistake = check_value(property, p.value)) {
-      mistake->span = p.span;
-      fail(*std::move(mistake));
-      p.value = Value::poison();
-    }
+    prepare(type.properties[p.id], p.value, p.span);
+  }
+}
+
+void ThingEvaluator::prepare(const Property& property, Value& value, Span place) {
+  if (property.type == PropertyType::material && value.is(ValueKind::record))
+    value = as_material(value.record(), place);
+  if (is_function(value) && takes_function(property) && !compiler_.compile(value.closure(), property.name, place))
+    value = Value::poison();
+  if (auto mistake = check_value(property, value)) {
+    mistake->span = place;
+    value = fail(*std::move(mistake));
   }
 }
 
@@ -173,13 +177,10 @@ Value ThingEvaluator::as_material(const Record& record, Span place) {
       is_fine = false;
       continue;
     }
-    if (auto mistake = check_value(type.properties[*id], entry.value)) {
-      mistake->span = entry.span;
-      fail(*std::move(mistake));
-      is_fine = false;
-    }
-    is_fine &= !entry.value.is_poison();
-    thing->properties.push_back({entry.value, entry.span, *id});
+    Value value = entry.value;
+    prepare(type.properties[*id], value, entry.span);
+    is_fine &= !value.is_poison();
+    thing->properties.push_back({std::move(value), entry.span, *id});
   }
   return is_fine ? Value(thing) : Value::poison();
 }

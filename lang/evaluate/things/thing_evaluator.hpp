@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lang/evaluate/expressions/expression_evaluator.hpp"
+#include "lang/evaluate/expressions/function_compiler.hpp"
 #include "lang/evaluate/things/scene_writer.hpp"
 
 #include <unordered_map>
@@ -13,11 +14,14 @@ class BlockEvaluator;
 class ThingEvaluator : private EvaluationPart {
 public:
   ThingEvaluator(Evaluation& evaluation, ExpressionEvaluator& expressions, BlockEvaluator& blocks, SceneWriter& writer)
-      : EvaluationPart(evaluation), expressions_(expressions), blocks_(blocks), writer_(writer) {}
+      : EvaluationPart(evaluation), expressions_(expressions), blocks_(blocks), writer_(writer),
+        compiler_(evaluation, expressions) {}
 
   Value override_value(NodeId node, const Context& context);
   Value combine(Op op, const Value& left, const Value& right, NodeId node, const Context& context);
   Value moved(const Thing& thing, scene::Step step, Span place);
+  /// Makes a value what the property takes: a material of a record, a compiled function; poison after a mistake.
+  void prepare(const Property& property, Value& value, Span place);
   /// A material of a record's fields.
   Value as_material(const Record& record, Span place);
 
@@ -48,6 +52,7 @@ private:
   ExpressionEvaluator& expressions_;
   BlockEvaluator& blocks_;
   SceneWriter& writer_;
+  FunctionCompiler compiler_;
   std::unordered_multimap<std::uint64_t, Ref<Thing>> instances_; // things of defs whose body was run, by arguments
 };
 

@@ -263,8 +263,11 @@ void Validation::check_shown(const Field& property, PatternId id, const std::str
   if (static_cast<std::size_t>(id) >= scene_.patterns.size() || !seen.insert(id).second) return;
   const auto look_at = [&]<class P>(const P& layout) {
     for (const Field& field : fields(&layout)) {
-      const std::optional<FieldValue> value = field.is_textured ? field.get(&layout) : std::nullopt;
-      if (!value) continue;
+      const std::optional<FieldValue> value = field.get(&layout);
+      const FunctionRef* function = value ? std::get_if<FunctionRef>(&*value) : nullptr;
+      if (function && *function && (*function)->results.size() != 1)
+        add(Kind::value, where, fmt::format("`{}` takes numbers, and its pattern gives colours", property.name));
+      if (!value || !field.is_textured) continue;
       if (const PatternId* inner = std::get_if<PatternId>(&*value)) {
         check_shown(property, *inner, where, seen);
       } else if (const auto violation = check(property.constraint, std::get<Color>(*value).r)) {

@@ -11,7 +11,7 @@ namespace {
 using Node = FunctionBuilder::Node;
 constexpr double infinity = Enclosure::infinity;
 
-Enclosure enclosure_of(Operation operation, const Enclosure& a, const Enclosure& b = Enclosure::of(0),
+Enclosure enclosure_of(Opcode operation, const Enclosure& a, const Enclosure& b = Enclosure::of(0),
                        const Enclosure& c = Enclosure::of(0)) {
   FunctionBuilder builder(3);
   const Node results[] = {builder.apply(operation, builder.input(0), builder.input(1), builder.input(2))};
@@ -86,10 +86,10 @@ TEST_CASE("functions: enclosures hold a million random values") {
 }
 
 TEST_CASE("functions: enclosures are tight where a function is monotone") {
-  using enum Operation;
+  using enum Opcode;
   check_tight(enclosure_of(negate, from(1, 2)), -2, -1, 0);
   check_tight(enclosure_of(absolute, from(-3, 2)), 0, 3, 0);
-  check_tight(enclosure_of(Operation::floor, from(-1.5, 2.5)), -2, 2, 0);
+  check_tight(enclosure_of(Opcode::floor, from(-1.5, 2.5)), -2, 2, 0);
   check_tight(enclosure_of(square_root, from(0, 4)), 0, 2);
   check_tight(enclosure_of(sine, from(0, 30)), 0, 0.5);
   check_tight(enclosure_of(sine, from(30, 150)), 0.5, 1);
@@ -116,17 +116,17 @@ TEST_CASE("functions: enclosures are tight where a function is monotone") {
   check_tight(enclosure_of(maximum, from(1, 5), from(2, 3)), 2, 5, 0);
   check_tight(enclosure_of(arc_tangent2, from(1, 2), from(-1, 1)), 45, 135, 2e-12);
   check_tight(enclosure_of(hypotenuse, from(-3, 1), from(-4, 4)), 0, 5);
-  CHECK(enclosure_of(Operation::less, from(1, 2), from(3, 4)) == Enclosure::of(1));
-  CHECK(enclosure_of(Operation::less, from(3, 4), from(1, 3)) == Enclosure::of(0));
-  CHECK(enclosure_of(Operation::less, from(1, 3), from(2, 4)) == from(0, 1));
+  CHECK(enclosure_of(Opcode::less, from(1, 2), from(3, 4)) == Enclosure::of(1));
+  CHECK(enclosure_of(Opcode::less, from(3, 4), from(1, 3)) == Enclosure::of(0));
+  CHECK(enclosure_of(Opcode::less, from(1, 3), from(2, 4)) == from(0, 1));
   CHECK(enclosure_of(select, from(0, 1), from(2, 3), from(5, 6)) == from(2, 6));
   CHECK(enclosure_of(select, Enclosure::of(1), from(2, 3), from(5, 6)) == from(2, 3));
 }
 
 TEST_CASE("functions: the square of what may have either sign is not negative") {
   FunctionBuilder b(1);
-  const Node square = b.apply(Operation::multiply, b.input(0), b.input(0));
-  const Node results[] = {b.apply(Operation::square_root, square)};
+  const Node square = b.apply(Opcode::multiply, b.input(0), b.input(0));
+  const Node results[] = {b.apply(Opcode::square_root, square)};
   const Function f = b.finish(results);
   std::vector<Enclosure> registers(f.register_count());
   const Enclosure inputs[] = {from(-3, 2)};
@@ -135,22 +135,22 @@ TEST_CASE("functions: the square of what may have either sign is not negative") 
 }
 
 TEST_CASE("functions: division by what may be 0 has the whole line for its enclosure") {
-  const Enclosure e = enclosure_of(Operation::divide, from(1, 2), from(-1, 1));
+  const Enclosure e = enclosure_of(Opcode::divide, from(1, 2), from(-1, 1));
   CHECK(e.lower == -infinity);
   CHECK(e.upper == infinity);
   CHECK_FALSE(e.may_be_undefined);
-  CHECK(enclosure_of(Operation::divide, from(0, 2), from(-1, 1)).may_be_undefined);
+  CHECK(enclosure_of(Opcode::divide, from(0, 2), from(-1, 1)).may_be_undefined);
 }
 
 TEST_CASE("functions: an enclosure says where there may be no value, and comparisons heed it") {
-  const Enclosure root = enclosure_of(Operation::square_root, from(-1, 4));
+  const Enclosure root = enclosure_of(Opcode::square_root, from(-1, 4));
   CHECK(root.may_be_undefined);
   CHECK(root.lower == 0);
   CHECK(root.upper == Approx(2));
-  CHECK(enclosure_of(Operation::less, root, Enclosure::of(3)) == from(0, 1)); // what has no value is not less
-  CHECK(enclosure_of(Operation::logarithm, from(0, 1)).lower == -infinity);
-  CHECK(enclosure_of(Operation::arc_sine, from(0, 1.5)).may_be_undefined);
-  CHECK(enclosure_of(Operation::sine, from(-infinity, infinity)) == Enclosure{-1, 1, true});
+  CHECK(enclosure_of(Opcode::less, root, Enclosure::of(3)) == from(0, 1)); // what has no value is not less
+  CHECK(enclosure_of(Opcode::logarithm, from(0, 1)).lower == -infinity);
+  CHECK(enclosure_of(Opcode::arc_sine, from(0, 1.5)).may_be_undefined);
+  CHECK(enclosure_of(Opcode::sine, from(-infinity, infinity)) == Enclosure{-1, 1, true});
 }
 
 TEST_CASE("noise: its enclosure shrinks with the box") {

@@ -11,7 +11,7 @@ namespace {
 
 using Node = FunctionBuilder::Node;
 
-double value_of(Operation operation, double a, double b = 0, double c = 0) {
+double value_of(Opcode operation, double a, double b = 0, double c = 0) {
   FunctionBuilder builder(3);
   const Node results[] = {builder.apply(operation, builder.input(0), builder.input(1), builder.input(2))};
   const Function f = builder.finish(results);
@@ -24,13 +24,13 @@ double value_of(Operation operation, double a, double b = 0, double c = 0) {
 } // namespace
 
 TEST_CASE("functions: each operation has its value") {
-  using enum Operation;
+  using enum Opcode;
   CHECK(value_of(negate, 2) == -2);
   CHECK(value_of(absolute, -2) == 2);
-  CHECK(value_of(Operation::floor, -1.5) == -2);
-  CHECK(value_of(Operation::ceil, -1.5) == -1);
-  CHECK(value_of(Operation::round, -1.5) == -2);
-  CHECK(value_of(Operation::round, 2.5) == 3);
+  CHECK(value_of(Opcode::floor, -1.5) == -2);
+  CHECK(value_of(Opcode::ceil, -1.5) == -1);
+  CHECK(value_of(Opcode::round, -1.5) == -2);
+  CHECK(value_of(Opcode::round, 2.5) == 3);
   CHECK(value_of(square_root, 2.25) == 1.5);
   CHECK(value_of(sine, 30) == 0.5);
   CHECK(value_of(cosine, 60) == 0.5);
@@ -55,8 +55,8 @@ TEST_CASE("functions: each operation has its value") {
   CHECK(value_of(maximum, 1, 2) == 2);
   CHECK(value_of(arc_tangent2, 1, -1) == 135);
   CHECK(value_of(hypotenuse, 3, 4) == 5);
-  CHECK(value_of(Operation::less, 1, 1) == 0);
-  CHECK(value_of(Operation::less_equal, 1, 1) == 1);
+  CHECK(value_of(Opcode::less, 1, 1) == 0);
+  CHECK(value_of(Opcode::less_equal, 1, 1) == 1);
   CHECK(value_of(equal, 1, 1) == 1);
   CHECK(value_of(and_, 1, 0) == 0);
   CHECK(value_of(or_, 1, 0) == 1);
@@ -65,12 +65,12 @@ TEST_CASE("functions: each operation has its value") {
 }
 
 TEST_CASE("functions: what has no value is not a number, and compares to nothing") {
-  using enum Operation;
+  using enum Opcode;
   CHECK(std::isnan(value_of(square_root, -1)));
   CHECK(std::isnan(value_of(logarithm, -1)));
   CHECK(std::isnan(value_of(arc_sine, 1.1)));
   CHECK(std::isnan(value_of(modulo, 1, 0)));
-  CHECK(value_of(Operation::less, std::nan(""), 1) == 0);
+  CHECK(value_of(Opcode::less, std::nan(""), 1) == 0);
   CHECK(value_of(select, value_of(equal, std::nan(""), std::nan("")), 1, 2) == 2);
 }
 

@@ -14,7 +14,7 @@ namespace {
 using Node = FunctionBuilder::Node;
 using Extended = long double;
 
-Slope slope_of(Operation operation, double a, double b = 0, double c = 0) {
+Slope slope_of(Opcode operation, double a, double b = 0, double c = 0) {
   FunctionBuilder builder(3);
   const Node results[] = {builder.apply(operation, builder.input(0), builder.input(1), builder.input(2))};
   const Function f = builder.finish(results);
@@ -26,7 +26,7 @@ Slope slope_of(Operation operation, double a, double b = 0, double c = 0) {
 
 /// What the operation is, in numbers of 64 bits' precision, and where to try it.
 struct Reference {
-  Operation operation;
+  Opcode operation;
   std::function<Extended(Extended, Extended)> value;
   double low, high;
 };
@@ -34,7 +34,7 @@ struct Reference {
 const Extended degree = std::acos(Extended(-1)) / 180;
 
 std::vector<Reference> references() {
-  using enum Operation;
+  using enum Opcode;
   using X = Extended;
   return {
       {negate, [](X a, X) { return -a; }, -5, 5},
@@ -82,8 +82,8 @@ TEST_CASE("functions: the gradient of an operation is its difference quotient in
 }
 
 TEST_CASE("functions: steps are flat, and choices have the gradient of what is chosen") {
-  using enum Operation;
-  for (const Operation step : {Operation::floor, Operation::ceil, Operation::round, not_, Operation::less, equal, and_})
+  using enum Opcode;
+  for (const Opcode step : {Opcode::floor, Opcode::ceil, Opcode::round, not_, Opcode::less, equal, and_})
     CHECK(slope_of(step, 0.3, 0.4).gradient == Vec3{});
   CHECK(slope_of(minimum, 1, 2).gradient == Vec3{1, 0, 0});
   CHECK(slope_of(maximum, 1, 2).gradient == Vec3{0, 1, 0});
@@ -94,8 +94,8 @@ TEST_CASE("functions: steps are flat, and choices have the gradient of what is c
 
 TEST_CASE("functions: of what does not change, the gradient is 0 also where a function is infinitely steep") {
   FunctionBuilder b(2);
-  const Node zero = b.apply(Operation::multiply, b.apply(Operation::floor, b.input(0)), b.input(0));
-  const Node results[] = {b.apply(Operation::add, b.apply(Operation::square_root, zero), b.input(1))};
+  const Node zero = b.apply(Opcode::multiply, b.apply(Opcode::floor, b.input(0)), b.input(0));
+  const Node results[] = {b.apply(Opcode::add, b.apply(Opcode::square_root, zero), b.input(1))};
   const Function f = b.finish(results);
   std::vector<Slope> registers(f.register_count());
   const double inputs[] = {0.0, 1.0};
@@ -107,11 +107,11 @@ TEST_CASE("functions: of what does not change, the gradient is 0 also where a fu
 TEST_CASE("functions: the gradient of a composition follows the chain rule") {
   FunctionBuilder b(3);
   const Node x = b.input(0), y = b.input(1), z = b.input(2);
-  const auto square = [&](Node n) { return b.apply(Operation::multiply, n, n); };
-  const Node length = b.apply(Operation::square_root,
-                              b.apply(Operation::add, b.apply(Operation::add, square(x), square(y)), square(z)));
-  const Node wave = b.apply(Operation::sine, b.apply(Operation::multiply, x, y));
-  const Node results[] = {b.apply(Operation::multiply, length, wave)};
+  const auto square = [&](Node n) { return b.apply(Opcode::multiply, n, n); };
+  const Node length =
+      b.apply(Opcode::square_root, b.apply(Opcode::add, b.apply(Opcode::add, square(x), square(y)), square(z)));
+  const Node wave = b.apply(Opcode::sine, b.apply(Opcode::multiply, x, y));
+  const Node results[] = {b.apply(Opcode::multiply, length, wave)};
   const Function f = b.finish(results);
   std::vector<Slope> registers(f.register_count());
   SplitMix64 random(5);

@@ -18,12 +18,12 @@ inline Function random_function(SplitMix64& random, int length) {
     const double recent = 1 - random.unit() * random.unit(); // what was made last is used most
     return nodes[static_cast<std::size_t>(recent * static_cast<double>(nodes.size() - 1))];
   };
-  constexpr int count = static_cast<int>(Operation::noise) + 1;
+  constexpr int count = static_cast<int>(Opcode::noise) + 1;
   for (int i = 0; i < length; ++i) {
-    const auto operation = static_cast<Operation>(static_cast<int>(random.unit() * count));
+    const auto operation = static_cast<Opcode>(static_cast<int>(random.unit() * count));
     const FunctionBuilder::Node a = any(), b = any(), c = any();
-    nodes.push_back(operation == Operation::noise ? builder.noise(random.bits() % 3, a, b, c)
-                                                  : builder.apply(operation, a, b, c));
+    nodes.push_back(operation == Opcode::noise ? builder.noise(random.bits() % 3, a, b, c)
+                                               : builder.apply(operation, a, b, c));
   }
   const FunctionBuilder::Node results[] = {nodes.end()[-1], nodes.end()[-2], nodes.end()[-3]};
   return builder.finish(results);

@@ -57,6 +57,8 @@ FieldValue value_for(Random& random, const Field& field) {
     return Metal{{0.2, 0.9, 1.1}, {3, 2, 1}};
   case FieldType::absorb:
     return Absorb{{0.5, 0.6, 0.7}, random.between(1, 10)};
+  case FieldType::function:
+    return constant_function(random.between(0, 1));
   }
   return {};
 }

@@ -1,9 +1,14 @@
+#include "tools/povray/export/export_function.hpp"
 #include "tools/povray/export/export_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rt::tools::povray {
 namespace {
@@ -39,40 +44,52 @@ public:
   TextureWriter(Writer& out, const Scene& scene, std::vector<std::string>& inexact)
       : out_(out), scene_(scene), inexact_(inexact) {}
 
-  // A finish has numbers only, and the share that a pigment lets by is one of its pattern: any other property that is a
-  // pattern becomes a pattern of textures.
   void texture(const std::string& head, const Material& m, const Map& current) {
+    out_.open(head);
+    out_.close(texture_body(m, current));
+  }
+
+private:
+  // What stands in a texture, up to its transform, which is given back. A finish has numbers only, and the share that a
+  // pigment lets by is one of its pattern: any other property that is a pattern becomes a pattern of textures.
+  std::string texture_body(const Material& m, const Map& current) {
     for (const Field& field : fields(&m)) {
       const std::optional<FieldValue> value = field.get(&m);
       const PatternId* id = value ? std::get_if<PatternId>(&*value) : nullptr;
       if (!id || field.name == "color") continue;
       const Pattern& p = pattern(*id);
-      out_.open(head);
+      if (const FunctionPattern* computed = std::get_if<FunctionPattern>(&p.layout)) {
+        const bool is_linear = field.name != "shininess" && field.name != "roughness";
+        if (is_linear) return function_body(m, field, *computed->function, p, current);
+        inexact_.push_back("POV-Ray's `roughness` is a number: a function cannot be written there");
+        Material part = m;
+        (field.name == "shininess" ? static_cast<void>(part.shininess = Material{}.shininess) : part.roughness.reset());
+        return texture_body(part, current);
+      }
       for_each_paint(p, [&](const FieldValue& paint) {
         Material part = m;
         field.set(&part, paint);
         texture("texture", part, map_of(p.placement));
       });
-      out_.close(moved(p, current));
-      return;
+      return moved(p, current);
     }
-    out_.open(head);
     std::visit([&](const auto& color) { pigment(color, constant(m.refract), current); }, m.color);
     out_.line(finish(with_implied(m)));
-    out_.close();
+    return {};
   }
 
-private:
   const Pattern& pattern(PatternId id) const { return scene_.patterns[static_cast<std::size_t>(id)]; }
 
   // Writes what kind of pattern it is, and then each of its paints by f.
   template <class F>
   void for_each_paint(const Pattern& p, F&& f) {
     std::visit(
-        [&](const auto& layout) {
-          out_.line(keyword(layout));
-          for (const Field& field : fields(&layout))
-            if (const auto paint = field.is_textured ? field.get(&layout) : std::nullopt) f(*paint);
+        [&]<class P>(const P& layout) {
+          if constexpr (!std::is_same_v<P, FunctionPattern>) {
+            out_.line(keyword(layout));
+            for (const Field& field : fields(&layout))
+              if (const auto paint = field.is_textured ? field.get(&layout) : std::nullopt) f(*paint);
+          }
         },
         p.layout);
   }
@@ -93,8 +110,87 @@ private:
     }
     const Pattern& p = pattern(*id);
     out_.open("pigment");
-    for_each_paint(p, [&](const FieldValue& part) { pigment(part, filter, map_of(p.placement)); });
+    if (const FunctionPattern* computed = std::get_if<FunctionPattern>(&p.layout))
+      function_pigment(*computed->function, filter);
+    else
+      for_each_paint(p, [&](const FieldValue& part) { pigment(part, filter, map_of(p.placement)); });
     out_.close(moved(p, current));
+  }
+
+  // A pattern of POV-Ray's is one number between 0 and 1, which a map turns into colours.
+  struct Channel {
+    FunctionText text;
+    double scale; // the most that it gives
+    Color color;  // what it is a share of
+  };
+  // No picture shows more. The scale costs no digits: a share of black and of the most is as precise as the share.
+  static constexpr double brightest = 1e6;
+
+  std::vector<Channel> channels(const Function& function, double highest) {
+    static constexpr Color primaries[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const bool is_grey = function.results.size() == 1;
+    std::vector<Channel> all;
+    for (std::size_t i = 0; i < function.results.size(); ++i) {
+      std::string problem;
+      auto text = function_text(function, i, problem);
+      if (!text) inexact_.push_back(std::move(problem));
+      const double scale = std::clamp(upper_bound(function, i), 1.0, std::min(highest, brightest));
+      all.push_back({text.value_or(FunctionText{{}, "0"}), scale, is_grey ? white : primaries[i]});
+    }
+    return all;
+  }
+
+  // The average of three thirds, each three times as bright, is their sum.
+  void function_pigment(const Function& function, double filter) {
+    const std::vector<Channel> all = channels(function, std::numeric_limits<double>::infinity());
+    const auto write = [&](const Channel& channel) {
+      write_function_pattern(out_, channel.text, channel.scale);
+      const Color full = channel.color * (channel.scale * static_cast<double>(all.size()));
+      out_.line(fmt::format("color_map {{ [0 {}] [1 {}] }}", rgb(black, filter), rgb(full, filter)));
+    };
+    if (all.size() == 1) return write(all[0]);
+    out_.line("average");
+    out_.open("pigment_map");
+    for (const Channel& channel : all) {
+      out_.line("[1");
+      write(channel);
+      out_.line("]");
+    }
+    out_.close();
+  }
+
+  // The light that a surface gives is proportional to each property but one: a mixture of two textures, with the least
+  // and the most of the property, has what is between.
+  std::string function_body(const Material& m, const Field& field, const Function& function, const Pattern& p,
+                            const Map& current) {
+    const Map inner = map_of(p.placement);
+    const std::vector<Channel> all = channels(function, field.constraint.max);
+    const auto entry = [&](std::string_view place, const auto& write_body) {
+      out_.line(fmt::format("[{}", place));
+      if (const std::string transform = write_body(); !transform.empty()) out_.line(transform);
+      out_.line("]");
+    };
+    const auto write = [&](const Channel& channel) {
+      const Color most = channel.color * (channel.scale * static_cast<double>(all.size()));
+      write_function_pattern(out_, channel.text, channel.scale);
+      out_.open("texture_map");
+      for (const auto& [place, value] : {std::pair("0", black), std::pair("1", most)}) {
+        Material part = m;
+        field.set(&part, value);
+        entry(place, [&] { return texture_body(part, inner); });
+      }
+      out_.close();
+      return std::string();
+    };
+    if (all.size() == 1) {
+      write(all[0]);
+      return moved(p, current);
+    }
+    out_.line("average");
+    out_.open("texture_map");
+    for (const Channel& channel : all) entry("1", [&] { return write(channel); });
+    out_.close();
+    return moved(p, current);
   }
 
   std::string finish(const Material& m) {

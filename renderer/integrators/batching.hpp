@@ -58,9 +58,6 @@ private:
   static constexpr int deepest_batch = 8;
   // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
   static constexpr int max_crossings = 1 << 20;
-  // With smaller parts weaker branches are followed, with larger ones too little is left for the last where light is
-  // caught in glass and comes out in many places.
-  static constexpr double most_at_once = 1.0 / 16;
   // What a light gives to a ray of this weight is hardly ever so little: that is not worked out twice.
   static constexpr double least_strong = 1.0 / 512;
 
@@ -76,7 +73,7 @@ private:
     ++counts_.camera;
     RayTree& tree = trees_[paths.size()];
     tree.media.release(0);
-    tree.allowance = Rules::min_weight(scene_) * allowance_at_black;
+    tree.pruning = Pruning(Rules::min_weight(scene_));
     paths.add([&] { return PathState{RayKind::camera, ray, tree.media.make(inside), &tree}; });
   }
 
@@ -88,7 +85,7 @@ private:
       path.owned_from = path.tree->media.mark();
     }
     if (depth > scene_.max_depth())
-      for (std::size_t i = 0; i < paths.size(); ++i) model_.cut_off();
+      for (PathState& path : paths) model_.cut_off(path);
     else
       follow<Size>(paths, depth);
     for (PathState& path : paths) {
@@ -220,13 +217,13 @@ private:
   // A light is not asked for what is in its way where all of it is allowed to be missing.
   static void leave_out_weak(const Interaction& at, DirectLight& direct) {
     const PathState& path = *at.path;
-    if (path.tree->allowance == 0 || weight_of(path, white) > least_strong) return;
+    if (!path.tree->pruning.is_on() || max_component(path.weight * path.passed) > least_strong) return;
     if (direct.is_facing()) leave_out_if_weak(at, direct);
   }
   [[gnu::noinline]] static void leave_out_if_weak(const Interaction& at, DirectLight& direct) {
     const PathState& path = *at.path;
-    const double most = weight_of(path, Model::reflected(at, direct, true).sum());
-    if (may_be_missing(*path.tree, most)) direct.left_out = most;
+    const double most = max_component(path.weight * path.passed * Model::reflected(at, direct, true).sum());
+    if (path.tree->pruning.leave_out(most)) direct.left_out = most;
   }
 
   template <std::size_t Size>
@@ -260,12 +257,15 @@ private:
                              std::array<PathState*, Size>& going) {
     StaticVector<Scattering, Size> scatterings;
     for (const Interaction& at : interactions)
-      if (Model::is_scattering(at)) scatterings.add([&] { return model_.scatter(at); });
+      if (Model::is_scattering(at))
+        scatterings.add([&] { return model_.scatter(at); });
+      else
+        Model::end(*at.path);
     if (scatterings.size() == 0) return 0;
 
     RayBatch<Size> mirrored;
     for (const Scattering& s : scatterings)
-      if (s.terms.rho != black && (s.terms.is_total || is_followed(s, s.terms.rho))) mirror(s, mirrored);
+      if (s.terms.rho != black && (s.terms.is_total || !model_.prune(s, s.terms.rho))) mirror(s, mirrored);
     trace_batch(mirrored, is_together, depth + 1);
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
       const Scattering& s = *mirrored.from[i];
@@ -275,7 +275,7 @@ private:
     RayBatch<Size> refracted;
     std::size_t count = 0;
     for (const Scattering& s : scatterings)
-      if (model_.transmits(s) && is_followed(s, s.terms.tau) && transmit(s, depth, refracted))
+      if (model_.transmits(s) && !model_.prune(s, s.terms.tau) && transmit(s, depth, refracted))
         going[count++] = s.at->path;
     trace_batch(refracted, is_together, depth + 1);
     for (std::size_t i = 0; i < refracted.paths.size(); ++i) {
@@ -283,26 +283,6 @@ private:
       s.at->path->sum += s.at->path->passed * s.terms.tau * refracted.paths[i].sum;
     }
     return count;
-  }
-
-  // Whether a branch is followed. (What is totally reflected is no branch, but the ray itself.)
-  bool is_followed(const Scattering& s, const Color& share) {
-    const double weight = weight_of(*s.at->path, share);
-    if (!may_be_missing(*s.at->path->tree, weight)) return true;
-    model_.prune(weight);
-    return false;
-  }
-
-  // In the camera ray's light.
-  static double weight_of(const PathState& path, const Color& share) {
-    return max_component(path.weight * path.passed * share);
-  }
-
-  // Takes the weight from the allowance where it is a small part of that, so that something is left for others.
-  static bool may_be_missing(RayTree& tree, double weight) {
-    if (!(weight < tree.allowance * most_at_once)) return false;
-    tree.allowance -= weight;
-    return true;
   }
 
   template <std::size_t Size>

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "renderer/integrators/contacts.hpp"
+#include "renderer/integrators/pruning.hpp"
 #include "renderer/integrators/recorder.hpp"
 #include "renderer/shading/whitted_bsdf.hpp"
-
-#include <algorithm>
 
 namespace rt {
 
@@ -12,17 +11,8 @@ namespace rt {
 struct RayTree {
   MediumStacks media;
   Contacts contacts;
-  double allowance = 0; ///< what further branches may weigh together and not be followed
+  Pruning pruning;
 };
-
-/// By how much light may differ before its sRGB value differs by more than one part: 0.07 + 2.2 L in parts as small as
-/// `min_weight`. That is a line below the slope of sRGB's curve (IEC 61966-2-1), which is 1/12.92 at black and 2.275 at
-/// white; being a line, it holds for the sum of what several rays bring, and for the mean of a pixel's samples.
-inline constexpr double allowance_at_black = 0.07;
-/// What light adds to that.
-inline double allowance_for(const Color& light) {
-  return 2.2 * std::min({light.r, light.g, light.b});
-}
 
 /// A ray on its way, and what it has gathered.
 struct PathState {

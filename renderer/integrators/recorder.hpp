@@ -34,8 +34,9 @@ struct NoRecorder {
   void too_deep() {}
   /// The medium that the ray is in leaves so much of what is seen at the next event, which is so far away.
   void absorption(const Color& /*left*/, double /*length*/) {}
-  /// The branch that was told of last is not followed, having this weight in the camera ray's light.
-  void too_weak(double /*weight*/) {}
+  /// The branch that was told of last is not followed, having this weight in the camera ray's light. In place of its
+  /// radiance stands an estimate.
+  void too_weak(double /*weight*/, const Color& /*estimate*/) {}
   /// Before `surface`: all that is in one place, of which light takes a part into account. If that is several, they are
   /// met one after the other, each as a surface of its own.
   void touching(const std::vector<MetSurface>&) {}

@@ -23,21 +23,38 @@ public:
   void end(const PathState& path) { recorder_.end_ray(path.sum); }
 
   /// The path is not followed any further.
-  void cut_off() { recorder_.too_deep(); }
-  /// A branch of this weight is not followed.
-  void prune(double weight) { recorder_.too_weak(weight); }
+  void cut_off(PathState& path) {
+    end(path);
+    recorder_.too_deep();
+  }
+  /// So much of what the path brings is not followed any further, but no branch of it left out.
+  static void end(PathState& path, const Color& share = white) {
+    path.tree->pruning.end(path.weight * path.passed * share);
+  }
+  /// Whether a branch is left out for its weight. Then the light that it may bring is estimated.
+  bool prune(const Scattering& s, const Color& share) {
+    PathState& path = *s.at->path;
+    Pruning& pruning = path.tree->pruning;
+    const double weight = max_component(path.weight * path.passed * share);
+    if (!pruning.leave_out_branch(weight)) return false;
+    const Color estimate = pruning.estimate();
+    path.sum += path.passed * share * estimate;
+    recorder_.too_weak(weight, estimate);
+    return true;
+  }
 
   void escape(PathState& path) {
     const Color seen = scene_.environment(path.ray.direction);
     recorder_.miss(seen);
     gather(path, seen);
+    end(path);
   }
 
   /// Light comes in along the path.
   void gather(PathState& path, const Color& light) const {
     const Color passed = path.passed * light;
     path.sum += passed;
-    path.tree->allowance += Rules::min_weight(scene_) * allowance_for(path.weight * passed);
+    path.tree->pruning.add_light(path.weight * passed);
   }
 
   /// The path has hit `at.surface`, where the material has these values.
@@ -60,6 +77,7 @@ public:
     const Medium* medium = path.tree->media.top(path.inside);
     if (!medium || scene_.absorption(*medium).is_clear()) return;
     const Color left = scene_.absorption(*medium).left_after(length);
+    end(path, white - left);
     recorder_.absorption(left, length);
     path.passed *= left;
   }
@@ -116,6 +134,8 @@ public:
       fresnel_eta =
           Rules::eta(media.fresnel_eta(inside, medium), touches_void(media.transition(inside, medium), inside));
     const Scattering s{&at, medium, transition, eta, at.bsdf.specular(at.cosine, eta, fresnel_eta), v.thin};
+    const Color left = white - s.terms.rho - s.terms.tau;
+    end(*at.path, {std::max(left.r, 0.0), std::max(left.g, 0.0), std::max(left.b, 0.0)});
     if (at.bsdf.is_mirror() && !s.terms.is_total)
       recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
     return s;

@@ -38,9 +38,19 @@ private:
       add(Contribution::Kind::highlight, weight * light.record.reflected.highlight, &s, light.record.light);
     }
     using enum WayStep::How;
-    if (s.mirror) branch(s, s.mirror->ray.get(), weight * s.mirror->rho, mirrored);
-    if (s.transition) branch(s, s.transition->ray.get(), weight * s.transition->tau, refracted);
+    if (s.mirror) {
+      left_out(s.mirror->left_out, weight * s.mirror->rho);
+      branch(s, s.mirror->ray.get(), weight * s.mirror->rho, mirrored);
+    }
+    if (s.transition) {
+      left_out(s.transition->left_out, weight * s.transition->tau);
+      branch(s, s.transition->ray.get(), weight * s.transition->tau, refracted);
+    }
     if (s.total_reflection) branch(s, s.total_reflection->ray.get(), weight, totally_reflected);
+  }
+
+  void left_out(const std::optional<LeftOut>& branch, const Color& weight) {
+    if (branch) add(Contribution::Kind::estimate, weight * branch->estimate);
   }
 
   void branch(const SurfaceNode& at, const RayNode* node, const Color& weight, WayStep::How how) {

@@ -18,10 +18,10 @@ inline constexpr std::uint32_t no_step = 0xffffffff;
 
 /// A term of the shading equation with its weight in the first ray's radiance.
 struct Contribution {
-  enum class Kind : std::uint8_t { ambient, emission, diffuse, highlight, background, unexpanded };
+  enum class Kind : std::uint8_t { ambient, emission, diffuse, highlight, background, estimate, unexpanded };
   Kind kind;
   Color value;
-  const SurfaceNode* surface = nullptr; ///< none for the background and what was not expanded
+  const SurfaceNode* surface = nullptr; ///< none for the background, an estimate and what was not expanded
   std::uint32_t light = 0;              ///< of diffuse light and highlights
   std::uint32_t last_step = no_step;    ///< of the way from the first surface to this one, in `Sum::steps`
 };

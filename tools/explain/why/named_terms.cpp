@@ -43,6 +43,9 @@ std::string term_text(const Answer& answer, const Contribution& term) {
   case Contribution::Kind::background:
     text = "the background";
     break;
+  case Contribution::Kind::estimate:
+    text = "estimates for weak rays";
+    break;
   case Contribution::Kind::unexpanded:
     text = "rays that are summed up";
     break;

@@ -46,10 +46,10 @@ public:
     if (is_expanded()) open_.back()->end = RayNode::End::too_deep;
   }
 
-  void too_weak(double weight) {
+  void too_weak(double weight, const Color& estimate) {
     if (!is_expanded()) return;
     SurfaceNode& s = last();
-    (s.transition ? s.transition->left_out : s.mirror->left_out) = weight;
+    (s.transition ? s.transition->left_out : s.mirror->left_out) = LeftOut{weight, estimate};
   }
 
   void touching(const std::vector<MetSurface>& met) {
@@ -94,13 +94,13 @@ public:
   }
 
   void reflection(const Color& rho, double reflectance, double cosine, double eta) {
-    if (is_expanded()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, 0, nullptr};
+    if (is_expanded()) last().mirror = MirrorNode{rho, reflectance, cosine, eta, std::nullopt, nullptr};
   }
 
   void refraction(const Color& tau, const MediumTransition& transition, double cosine, double cosine_behind) {
     if (!is_expanded()) return;
     SurfaceNode& s = last();
-    s.transition = PassageNode{tau, transition, cosine, cosine_behind, 0, nullptr};
+    s.transition = PassageNode{tau, transition, cosine, cosine_behind, std::nullopt, nullptr};
     // Needed only if the ray goes on unbent.
     next_ = OwnRules::leave(s.surface, s.ray.direction);
     passed_.back() = s.passed * tau;

@@ -25,13 +25,19 @@ struct LightNode {
   std::vector<InTheWay> in_the_way; ///< from the point on, up to the first opaque one; their product is the filter
 };
 
+/// A branch that is not followed, since `min_weight` says so.
+struct LeftOut {
+  double weight;  ///< of the ray in the camera's
+  Color estimate; ///< what takes the place of its radiance
+};
+
 /// The mirrored branch of a surface.
 struct MirrorNode {
   Color rho;
-  double reflectance = 1;       ///< Fresnel's, or 1 where it is not asked for
-  double cosine = 0;            ///< of the ray's angle with the normal
-  double eta = 1;               ///< ior of the other side by that of this one, where Fresnel's is asked for
-  double left_out = 0;          ///< the weight of the ray in the camera's, where `min_weight` says not to follow it
+  double reflectance = 1; ///< Fresnel's, or 1 where it is not asked for
+  double cosine = 0;      ///< of the ray's angle with the normal
+  double eta = 1;         ///< ior of the other side by that of this one, where Fresnel's is asked for
+  std::optional<LeftOut> left_out;
   std::unique_ptr<RayNode> ray; ///< none where ρ is black, or it is left out
 };
 
@@ -40,7 +46,7 @@ struct PassageNode {
   Color tau;
   MediumTransition transition;
   double cosine = 0, cosine_behind = 0; ///< of the angles with the normal, before and behind the surface
-  double left_out = 0;                  ///< as above
+  std::optional<LeftOut> left_out;
   std::unique_ptr<RayNode> ray; ///< none where τ is black, or the ray goes on unbent: then the next surface is its own
 };
 

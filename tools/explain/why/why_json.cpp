@@ -146,7 +146,7 @@ private:
            {"angle", degrees(node.cosine)},
            {"fresnel", node.reflectance},
            {"eta", node.eta}};
-    if (node.left_out > 0) j["left_out"] = node.left_out;
+    if (node.left_out) j["left_out"] = node.left_out->weight, j["estimate"] = to_json(node.left_out->estimate);
     if (node.ray) j["ray"] = ray(*node.ray);
     return j;
   }
@@ -156,7 +156,7 @@ private:
            {"passage", passage_json(node.transition)},
            {"angle", degrees(node.cosine)},
            {"angle_behind", degrees(node.cosine_behind)}};
-    if (node.left_out > 0) j["left_out"] = node.left_out;
+    if (node.left_out) j["left_out"] = node.left_out->weight, j["estimate"] = to_json(node.left_out->estimate);
     if (node.ray) j["ray"] = ray(*node.ray);
     return j;
   }

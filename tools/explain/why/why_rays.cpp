@@ -59,9 +59,8 @@ public:
     for (const SurfaceNode& s : node.surfaces) {
       add("shading", s.passed * s.shading());
       if (s.total_reflection) add("total reflection", s.passed * s.total_reflection->ray->radiance);
-      if (s.mirror && s.mirror->ray) add("mirrored", s.passed * s.mirror->rho * s.mirror->ray->radiance);
-      if (s.transition && s.transition->ray)
-        add("refracted", s.passed * s.transition->tau * s.transition->ray->radiance);
+      if (s.mirror) add("mirrored", s.passed * s.mirror->rho * radiance_of(*s.mirror));
+      if (s.transition) add("refracted", s.passed * s.transition->tau * radiance_of(*s.transition));
     }
     if (node.end == RayNode::End::background) {
       const SurfaceNode& last = node.surfaces.back();
@@ -76,6 +75,12 @@ public:
   }
 
 private:
+  // What comes in along a branch, or what takes its place.
+  template <class Branch>
+  static Color radiance_of(const Branch& branch) {
+    return branch.left_out ? branch.left_out->estimate : branch.ray ? branch.ray->radiance : black;
+  }
+
   const Answer& answer_;
   Page& page_;
 };

@@ -105,9 +105,15 @@ std::string cosine_text(std::string_view name, double cosine) {
   return fmt::format("{} = {} ({})", name, number_text(cosine), angle_text(cosine));
 }
 
+// Of a light, or of a branch.
 std::string left_out_text(const Answer& answer, double weight) {
   return fmt::format("not followed: it weighs at most {} of white, and min_weight {} leaves out what changes so little",
                      number_text(weight), number_text(scene::min_weight(answer.scene)));
+}
+
+std::string left_out_text(const Answer& answer, const LeftOut& left_out) {
+  return fmt::format("{}; the mean of what the other rays bring, {}, stands for it",
+                     left_out_text(answer, left_out.weight), color_text(left_out.estimate));
 }
 
 std::string in_the_way_text(const Answer& answer, const LightNode& light) {
@@ -267,8 +273,8 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
     page.line(indent + 2,
               fmt::format("metallic {}: M = {}, reflect = {}", number_text(m.metallic),
                           color_text(metallic_tint(m.metallic, mirror.cosine, m.color)), color_text(m.reflect)));
-  if (mirror.left_out > 0)
-    page.line(indent + 2, left_out_text(answer, mirror.left_out));
+  if (mirror.left_out)
+    page.line(indent + 2, left_out_text(answer, *mirror.left_out));
   else if (!mirror.ray)
     page.line(indent + 2, "nothing is mirrored at weight 0");
 }
@@ -310,13 +316,13 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
     page.line(indent + 2, fmt::format("Snell: sin θ₂ = (n₁/n₂)·sin θ₁ = {}·{} = {}: {} becomes {}", number_text(eta),
                                       number_text(sine(p.cosine)), number_text(sine(p.cosine_behind)),
                                       angle_text(p.cosine), angle_text(p.cosine_behind)));
-    if (p.left_out > 0)
-      page.line(indent + 2, left_out_text(answer, p.left_out));
+    if (p.left_out)
+      page.line(indent + 2, left_out_text(answer, *p.left_out));
     else if (!p.ray)
       page.line(indent + 2, "nothing is refracted at weight 0");
     return;
   }
-  if (p.left_out > 0) return page.line(indent + 2, left_out_text(answer, p.left_out));
+  if (p.left_out) return page.line(indent + 2, left_out_text(answer, *p.left_out));
   page.line(indent + 2,
             p.tau == black ? "nothing is refracted at weight 0"
             : s.material.thin

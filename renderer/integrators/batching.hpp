@@ -260,7 +260,7 @@ private:
       if (Model::is_scattering(at))
         scatterings.add([&] { return model_.scatter(at); });
       else
-        Model::end(*at.path);
+        Model::stop_following(*at.path);
     if (scatterings.size() == 0) return 0;
 
     RayBatch<Size> mirrored;

@@ -24,11 +24,11 @@ public:
 
   /// The path is not followed any further.
   void cut_off(PathState& path) {
-    end(path);
+    stop_following(path);
     recorder_.too_deep();
   }
-  /// So much of what the path brings is not followed any further, but no branch of it left out.
-  static void end(PathState& path, const Color& share = white) {
+  /// So much of what the path brings ends here: it is absorbed, escapes, or would be too deep.
+  static void stop_following(PathState& path, const Color& share = white) {
     path.tree->pruning.end(path.weight * path.passed * share);
   }
   /// Whether a branch is left out for its weight. Then the light that it may bring is estimated.
@@ -47,7 +47,7 @@ public:
     const Color seen = scene_.environment(path.ray.direction);
     recorder_.miss(seen);
     gather(path, seen);
-    end(path);
+    stop_following(path);
   }
 
   /// Light comes in along the path.
@@ -77,7 +77,7 @@ public:
     const Medium* medium = path.tree->media.top(path.inside);
     if (!medium || scene_.absorption(*medium).is_clear()) return;
     const Color left = scene_.absorption(*medium).left_after(length);
-    end(path, white - left);
+    stop_following(path, white - left);
     recorder_.absorption(left, length);
     path.passed *= left;
   }
@@ -135,7 +135,7 @@ public:
           Rules::eta(media.fresnel_eta(inside, medium), touches_void(media.transition(inside, medium), inside));
     const Scattering s{&at, medium, transition, eta, at.bsdf.specular(at.cosine, eta, fresnel_eta), v.thin};
     const Color left = white - s.terms.rho - s.terms.tau;
-    end(*at.path, {std::max(left.r, 0.0), std::max(left.g, 0.0), std::max(left.b, 0.0)});
+    stop_following(*at.path, {std::max(left.r, 0.0), std::max(left.g, 0.0), std::max(left.b, 0.0)});
     if (at.bsdf.is_mirror() && !s.terms.is_total)
       recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
     return s;

@@ -8,9 +8,10 @@ namespace rt {
 
 /// By how much light may differ before its sRGB value differs by more than one part: 0.07 + 2.2 L in parts as small as
 /// `min_weight`. That is a line below the slope of sRGB's curve (IEC 61966-2-1), which is 1/12.92 at black and 2.275 at
-/// white; being a line, it holds for the sum of what several rays bring, and for the mean of a pixel's samples.
+/// white; being a line, it holds for the sum of what several rays bring, and for the mean of a pixel's samples. What is
+/// brighter than white counts as white.
 inline double light_allowance(const Color& light) {
-  return 0.07 + 2.2 * std::min({light.r, light.g, light.b});
+  return 0.07 + 2.2 * std::min({light.r, light.g, light.b, 1.0});
 }
 
 /// Decides which weak branches of one camera ray's tree are not followed. The mean radiance of the rays that have ended
@@ -20,7 +21,7 @@ inline double light_allowance(const Color& light) {
 class Pruning {
 public:
   /// A new tree. With a `min_weight` of 0 all is followed.
-  explicit Pruning(double min_weight = 0) : min_weight_(min_weight) {}
+  explicit Pruning(double min_weight = 0) : min_weight_(min_weight), strong_(min_weight * strongest) {}
 
   bool is_on() const { return min_weight_ > 0; }
 
@@ -35,7 +36,7 @@ public:
     return true;
   }
   /// The same for a branch of that weight, if `estimate` takes its place.
-  bool leave_out_branch(double weight) { return leave_out(weight * usual_error); }
+  bool leave_out_branch(double weight) { return weight < strong_ && leave_out(weight * usual_error); }
 
   /// The mean radiance of what has ended, no brighter than white.
   Color estimate() const {
@@ -51,7 +52,10 @@ private:
   // light and dark skies it was less than half of that.
   static constexpr double usual_error = 1.0 / 8;
 
-  double min_weight_;
+  // Whatever the light, what is brighter than white being white.
+  static constexpr double strongest = 2.27 * most_at_once / usual_error;
+
+  double min_weight_, strong_;
   Color light_ = black, ended_ = black;
   double left_out_ = 0;
 };

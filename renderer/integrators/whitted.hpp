@@ -115,30 +115,19 @@ public:
   /// Of a scattering one.
   [[gnu::always_inline]] Scattering scatter(const Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
+    if (at.path->contact.is_inside() && !v.thin) [[unlikely]]
+      return scatter_in_contact(at);
     const MediumStacks& media = at.path->tree->media;
     const MediumStacks::List inside = at.path->inside;
-    const Medium medium{at.surface.order, at.surface.ior, at.surface.medium_material_id};
-    MediumTransition transition;
-    double eta = 1, fresnel_eta = 1;
-    if (at.bsdf.is_transparent() && v.thin) {
-      transition = {MediumTransition::Kind::through_sheet, media.top_ior(inside), media.top_ior(inside)};
-    } else if (at.path->contact.is_inside()) {
-      transition = at.path->tree->contacts.transition(at.path->contact, media);
-      eta = transition.eta();
-      fresnel_eta = 1 / eta;
-    } else if (at.bsdf.is_transparent()) {
-      transition = media.transition(inside, medium);
-      eta = Rules::eta(transition.eta(), touches_void(transition, inside));
-    }
-    if (at.bsdf.is_mirror() && v.fresnel && (v.thin || !at.path->contact.is_inside()))
-      fresnel_eta =
-          Rules::eta(media.fresnel_eta(inside, medium), touches_void(media.transition(inside, medium), inside));
-    const Scattering s{&at, medium, transition, eta, at.bsdf.specular(at.cosine, eta, fresnel_eta), v.thin};
-    const Color left = white - s.terms.rho - s.terms.tau;
-    stop_following(*at.path, {std::max(left.r, 0.0), std::max(left.g, 0.0), std::max(left.b, 0.0)});
-    if (at.bsdf.is_mirror() && !s.terms.is_total)
-      recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
-    return s;
+    const Medium medium = medium_of(at);
+    const double ior = media.top_ior(inside);
+    const MediumTransition transition =
+        v.thin ? MediumTransition{MediumTransition::Kind::through_sheet, ior, ior} : media.transition(inside, medium);
+    const bool has_void = touches_void(transition, inside);
+    const double eta = v.thin || !at.bsdf.is_transparent() ? 1 : Rules::eta(transition.eta(), has_void);
+    const double fresnel_eta =
+        at.bsdf.is_mirror() && v.fresnel ? Rules::eta(media.fresnel_eta(inside, medium), has_void) : 1;
+    return scattering(at, medium, transition, eta, fresnel_eta);
   }
 
   /// The mirrored ray, where ρ is not black.
@@ -177,6 +166,26 @@ public:
   }
 
 private:
+  static Medium medium_of(const Interaction& at) {
+    return {at.surface.order, at.surface.ior, at.surface.medium_material_id};
+  }
+
+  [[gnu::noinline]] Scattering scatter_in_contact(const Interaction& at) {
+    const MediumTransition transition = at.path->tree->contacts.transition(at.path->contact, at.path->tree->media);
+    return scattering(at, medium_of(at), transition, transition.eta(), 1 / transition.eta());
+  }
+
+  [[gnu::always_inline]] Scattering scattering(const Interaction& at, const Medium& medium,
+                                               const MediumTransition& transition, double eta, double fresnel_eta) {
+    const Scattering s{
+        &at, medium, transition, eta, at.bsdf.specular(at.cosine, eta, fresnel_eta), at.bsdf.values().thin};
+    const Color left = white - s.terms.rho - s.terms.tau;
+    stop_following(*at.path, {std::max(left.r, 0.0), std::max(left.g, 0.0), std::max(left.b, 0.0)});
+    if (at.bsdf.is_mirror() && !s.terms.is_total)
+      recorder_.reflection(s.terms.rho, s.terms.reflectance, at.cosine, fresnel_eta);
+    return s;
+  }
+
   // The normal for what is mirrored and refracted.
   static Vec3 specular_normal(const Interaction& at) {
     if (dot(at.normal, at.path->ray.direction) <= 0) [[likely]]

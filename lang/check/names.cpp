@@ -4,6 +4,7 @@
 #include "lang/check/check.hpp"
 #include "lang/check/errors/dialects.hpp"
 #include "lang/check/errors/name_errors.hpp"
+#include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/text/tokens.hpp"
 #include "lang/values/css_colors.hpp"
 
@@ -167,8 +168,16 @@ bool NameResolver::report_early(const Unit& unit, NodeId node) {
   return false;
 }
 
+// `light_source { <2, 4, -3> … }`: the error in the block shows the whole form.
+bool NameResolver::is_form_shown(const Span& name) const {
+  const std::string_view text = context_.program.sources.file(name.file).text;
+  const Token brace = next_token(text, name.end);
+  return text_of(text, brace) == "{" && text_of(text, next_token(text, brace.end)) == "<" &&
+         is_povray_thing(text, brace.begin);
+}
+
 void NameResolver::report_unknown(const Unit& unit, NodeId node) {
-  if (names_are_missing_ || report_early(unit, node)) return;
+  if (names_are_missing_ || report_early(unit, node) || is_form_shown(unit.ast.span(node))) return;
   const Symbol symbol = unit.ast.symbol(node);
   const std::string_view word = context_.name(symbol);
   const Span span = unit.ast.span(node);

@@ -52,6 +52,7 @@ private:
   void note_use(Symbol symbol, const Binding* binding);
   void report_unknown(const Unit& unit, NodeId node);
   bool report_early(const Unit& unit, NodeId node);
+  bool is_form_shown(const Span& name) const;
   std::vector<std::string_view> visible_names();
 
   CheckContext& context_;

@@ -3,6 +3,8 @@
 #include "lang/builtins/builtins.hpp"
 #include "lang/check/lint/rules.hpp"
 #include "lang/library/library.hpp"
+#include "lang/text/words.hpp"
+#include "lang/values/css_colors.hpp"
 #include "lang/values/node_types.hpp"
 
 #include <fmt/format.h>
@@ -179,6 +181,20 @@ std::optional<ReferenceEntry> find_entry(std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<std::string> reference_names() {
+  std::vector<std::string> names;
+  for (const ReferenceEntry& e : reference()) {
+    names.push_back(e.name);
+    for (const auto* properties : {&e.properties, &e.common_properties})
+      for (const PropertyEntry& p : *properties) names.emplace_back(p.name);
+  }
+  for (Word word{}; word <= Word::expect_; word = static_cast<Word>(static_cast<int>(word) + 1))
+    if (is_reserved(word)) names.emplace_back(spelling(word));
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 std::string describe(const ReferenceEntry& e) {
   std::string text = fmt::format("{}\n  {}\n", e.signature, e.help);
   const auto list = [&](std::span<const PropertyEntry> properties) {
@@ -195,14 +211,23 @@ std::string describe(const ReferenceEntry& e) {
   return text;
 }
 
+std::string describe_name(std::string_view name) {
+  std::string text;
+  for (const ReferenceEntry& e : reference())
+    if (e.name == name) text += describe(e);
+  text += describe_properties(name) + describe_keyword(name);
+  if (const auto rgb = find_css_color(name)) text += fmt::format("{}: the colour #{:06x}\n", name, *rgb);
+  return text;
+}
+
 std::string describe_properties(std::string_view name) {
   std::string text;
   for (const ReferenceEntry& entry : reference()) {
     for (const auto* properties : {&entry.properties, &entry.common_properties}) {
       for (const PropertyEntry& property : *properties) {
-        if (property.name != name) continue;
+        if (property.name != name && fmt::format("{}.{}", entry.name, property.name) != name) continue;
         const std::string otherwise = property.default_text.empty() ? "" : fmt::format(" ({})", property.default_text);
-        text += fmt::format("{}.{}: {}{}  {}\n", entry.name, name, property.type, otherwise, property.help);
+        text += fmt::format("{}.{}: {}{}  {}\n", entry.name, property.name, property.type, otherwise, property.help);
       }
     }
   }

@@ -37,14 +37,20 @@ std::span<const std::string_view> reference_sections();
 
 /// All entries, by section.
 std::vector<ReferenceEntry> reference();
-/// The entries named so (a name may be a noun and a property of others, but only one entry), or none.
+/// The first entry named so, a noun before all others; or none.
 std::optional<ReferenceEntry> find_entry(std::string_view name);
+/// Every name that `describe_name` knows but the colours', in order.
+std::vector<std::string> reference_names();
 
 /// A property of one thing: what it takes, its default, what it is.
 std::string describe_property(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
-/// All properties of this name, each with the thing that it belongs to; empty where nothing has one.
+/// All that there is to say of a name: entries (a mirror is a material and a step of a chain), properties, a word of
+/// the grammar, a colour. Empty where the language has no such name.
+std::string describe_name(std::string_view name);
+/// All properties of this name, each with the thing that it belongs to; or the one, where the name is like
+/// `sphere.radius`. Empty where nothing has one.
 std::string describe_properties(std::string_view name);
 /// A word of the grammar, with an example; empty for any other word.
 std::string describe_keyword(std::string_view word);

@@ -28,12 +28,22 @@ std::string line_of(const Statement& statement) {
   return fmt::format("`{}`", shortened(statement.text));
 }
 
+// Whether a line `name = …` can be typed again.
+bool is_bound(const SessionCore& core, const SessionChange& change, std::string_view name) {
+  const Symbol symbol = core.program.symbols.find(name);
+  const auto at = symbol == no_symbol ? std::nullopt : change.find(symbol);
+  return at && change[*at].kind == Kind::bind;
+}
+
 } // namespace
 
 SessionResult Session::set(std::string_view target, std::string_view value) {
   SessionCore& core = state_->core;
   const std::size_t dot = target.find('.');
-  if (dot == std::string_view::npos) return submit(fmt::format("{}: {}", target, value));
+  if (dot == std::string_view::npos) {
+    const bool is_own = is_bound(core, SessionChange(core, state_->document()), target);
+    return submit(fmt::format("{}{} {}", target, is_own ? " =" : ":", value));
+  }
   const std::string_view name = target.substr(0, dot), property = target.substr(dot + 1);
   core.report = Report();
   SessionChange change(core, state_->document());
@@ -43,7 +53,8 @@ SessionResult Session::set(std::string_view target, std::string_view value) {
   const Statement& statement = change[at];
   const Ast& ast = statement.unit->ast;
   if (statement.is_function() || statement.kind == Kind::use || statement.kind == Kind::include)
-    return failed(fmt::format("`{}` is no thing, but a declaration", name));
+    return failed(fmt::format("`{}` is no thing, but a declaration", name),
+                  {"set what it makes, where that is placed, by its name or its number in :list"});
   NodeId node = statement.nodes.front();
   if (statement.kind == Kind::bind) node = ast.bind_item(node).value;
   const std::string_view source = core.program.sources.file(ast.file).text;

@@ -383,9 +383,10 @@ struct word_item : seq<word, sor<reserved_item, foreign_function_item, named_ite
 struct previous_begin : seq<when<&ParseState::may_edit_previous>, at<one<'.'>, peg::identifier_first>> {};
 struct previous_item : seq<previous_begin, plus<any_suffix>, operators_rest, operators_end> {};
 
-struct line_not_led_by_sign : sor<not_at<one<'-', '+'>>, not_at<when<&ParseState::follows_line>>> {};
+struct item_begin : seq<sor<not_at<one<'-', '+'>>, not_at<when<&ParseState::follows_line>>>,
+                        not_at<when<&ParseState::begins_with_bare_value>>> {};
 struct item_end : at<narrow_gap, sor<one<'\n', ',', ';', '}'>, eof>> {};
-struct item : seq<required<line_not_led_by_sign>, sor<word_item, previous_item, expression>, required<item_end>> {};
+struct item : seq<required<item_begin>, sor<word_item, previous_item, expression>, required<item_end>> {};
 
 struct items_begin : success {};
 struct items_end : sor<eof, seq<when<&ParseState::is_in_braces>, one<'}'>>> {};

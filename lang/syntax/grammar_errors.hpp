@@ -17,7 +17,7 @@ constexpr Expected expected() {
 // clang-format off
 template <> constexpr Expected expected<item>() { return Expected::item; }
 template <> constexpr Expected expected<item_end>() { return Expected::item_end; }
-template <> constexpr Expected expected<line_not_led_by_sign>() { return Expected::line_not_led_by_sign; }
+template <> constexpr Expected expected<item_begin>() { return Expected::item_begin; }
 template <> constexpr Expected expected<expression>() { return Expected::expression; }
 template <> constexpr Expected expected<value>() { return Expected::expression; }
 template <> constexpr Expected expected<operand>() { return Expected::expression; }

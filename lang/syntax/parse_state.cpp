@@ -213,11 +213,16 @@ void ParseState::close_list(std::uint32_t end) {
 void ParseState::close_record(std::uint32_t end) {
   folder_.close_block();
   Ast& ast = build.ast();
+  bool is_list = true, is_told = false;
+  for (std::uint32_t i = 0; i < build.parts(); ++i) is_list &= ast[build.part(i).node].kind != Kind::property;
   for (std::uint32_t i = 0; i < build.parts(); ++i) {
     Node& node = ast[build.part(i).node];
     if (node.kind == Kind::property || node.kind == Kind::error) continue;
     const auto complain_of = [&](Span item) {
-      report(errors::item_in_record(item, "a record holds properties only", "write `name: value`"));
+      if (is_list && is_told) return;
+      is_told = true;
+      report(errors::item_in_record(item, "a record holds properties only",
+                                    is_list ? "a list is written in `[ ]`" : "write `name: value`"));
     };
     if (node.kind == Kind::repeat) {
       const Repeat& repeat = ast.repeats[node.a];
@@ -271,6 +276,21 @@ void ParseState::fail_at_end() {
     for (const OpenBracket& bracket : forgotten) report(unclosed_bracket(file, bracket));
   }
   throw SyntaxError{end};
+}
+
+bool ParseState::begins_with_bare_value() const {
+  if (item_ == text.size() || std::string_view("-+.0123456789xyz").find(text[item_]) == std::string_view::npos)
+    return false;
+  if (item_follows_line_ || open_.empty() || open_.back().bracket != '{') return false;
+  Token value = next_token(text, item_);
+  if (value.kind == TokenKind::symbol) value = next_token(text, value.end);
+  const std::string_view word = text_of(text, value);
+  const bool is_short = value.kind == TokenKind::number || word == "x" || word == "y" || word == "z";
+  const std::uint32_t brace = open_.back().at;
+  Token first = next_token(text, brace + 1);
+  while (first.kind == TokenKind::newline) first = next_token(text, first.end);
+  return is_short && text_of(text, next_token(text, value.end)) == "," && first.begin == item_ &&
+         is_povray_thing(text, brace);
 }
 
 ParseState::Checkpoint ParseState::begin_item(std::uint32_t at) {

@@ -108,6 +108,9 @@ public:
   std::uint32_t replace_item(const Checkpoint& checkpoint, std::uint32_t begin, const SyntaxError& error);
   void too_deep(std::uint32_t begin, std::uint32_t end);
 
+  /// The item is the first in a block of what POV-Ray has, too, and a value without a name: `plane { y, 0 }`.
+  bool begins_with_bare_value() const;
+
 private:
   SyntaxPlace place(std::uint32_t at) const { return {text, file, at, item_, item_follows_line_, open_}; }
   void add(Diagnostic diagnostic);

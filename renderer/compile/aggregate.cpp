@@ -21,10 +21,6 @@ bool is_before(const void* leaves, std::uint32_t index, const RayHit& other) {
   return index < other.index;
 }
 
-double reach_of(const Box3& box) {
-  return box.is_empty() ? 0 : magnitude(max(abs(box.lower), abs(box.upper)));
-}
-
 // Of what stands in the instance, if that is not finite as a whole.
 double reach_of(const InstanceLeaves::Instance& instance) {
   const double inner = instance.aggregate->reach();

@@ -1,5 +1,7 @@
 #include "renderer/compile/csg.hpp"
 
+#include "renderer/math/rounding.hpp"
+
 #include <algorithm>
 
 namespace rt {
@@ -15,24 +17,44 @@ void sort(std::vector<Boundary>& list, std::size_t begin) {
   }
 }
 
+} // namespace
+
 // Walks along the line past the surfaces in list[begin…], and keeps those where the number of solids that it is inside
 // of, `depth` at first, reaches `threshold` or falls below.
-void sweep(std::vector<Boundary>& list, std::size_t begin, std::size_t depth, std::size_t threshold) {
+void CsgSolid::sweep(const Line& line, std::vector<Boundary>& list, std::size_t begin, std::size_t depth,
+                     std::size_t threshold) const {
   std::size_t kept = begin;
   for (std::size_t i = begin; i < list.size();) {
     const bool was_inside = depth >= threshold;
-    const std::size_t first = i;
-    for (; i < list.size() && list[i].t == list[first].t; ++i) list[i].is_entry ? ++depth : --depth;
+    const std::size_t first = i, end = end_of_place(line, list, first);
+    for (; i < end; ++i) list[i].is_entry ? ++depth : --depth;
     const bool is_inside = depth >= threshold;
     if (was_inside == is_inside) continue;
-    std::size_t turning = first;
-    while (list[turning].is_entry != is_inside) ++turning;
-    list[kept++] = Boundary(list[turning]);
+    const Boundary* turning = nullptr;
+    for (std::size_t k = first; k < end; ++k)
+      if (list[k].is_entry == is_inside && (!turning || list[k].operand < turning->operand)) turning = &list[k];
+    list[kept++] = Boundary(*turning);
   }
   list.resize(kept);
 }
 
-} // namespace
+// The position after the last of the boundaries that are crossed at once with that one.
+std::size_t CsgSolid::end_of_place(const Line& line, const std::vector<Boundary>& list, std::size_t first) const {
+  const double t = list[first].t, near = line.slack.end(t);
+  std::size_t end = first + 1;
+  while (end < list.size() && list[end].t == t) ++end;
+  if (end == list.size() || !(list[end].t <= near)) [[likely]]
+    return end;
+  const SurfacePoint place = operand_point(list[first].operand, line.ray, list[first]);
+  while (end < list.size() && list[end].t <= near &&
+         touch(place, operand_point(list[end].operand, line.ray, list[end])))
+    ++end;
+  return end;
+}
+
+Slack CsgSolid::slack(const Ray& ray) const {
+  return {0x1p-30 * (magnitude(ray.origin) + reach_) / max_component(abs(ray.direction))};
+}
 
 Box3 CsgSolid::box_of(const Child& child, const Affine& map) const {
   if (child.is_node) return box_of(child.index, map);
@@ -53,7 +75,7 @@ Box3 CsgSolid::box_of(std::uint32_t index, const Affine& map) const {
   return box;
 }
 
-void CsgSolid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scratch) const {
+void CsgSolid::push_node(std::uint32_t index, const Line& line, TraceScratch& scratch) const {
   const Node& node = nodes_[index];
   std::vector<Boundary>& list = scratch.boundaries;
   const std::size_t begin = list.size(), count = node.children.size();
@@ -65,40 +87,40 @@ void CsgSolid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scra
     const std::uint32_t needed = subtracts ? 1 : static_cast<std::uint32_t>(count);
     for (; looked_at < needed && looked_at < count; ++looked_at) {
       const std::size_t before = list.size();
-      push_child(node, looked_at, ray, scratch);
+      push_child(node, looked_at, line, scratch);
       if (list.size() == before) return list.resize(begin);
     }
   }
   if (node.index) {
     const std::size_t mark = scratch.operands.size();
     scratch.operands.insert(scratch.operands.end(), node.index->others.begin(), node.index->others.end());
-    LineQuery query(ray, scratch.operands);
+    LineQuery query(line.ray, scratch.operands);
     if (!node.index->tree.is_empty()) node.index->tree.blocks(query);
     std::sort(scratch.operands.begin() + static_cast<std::ptrdiff_t>(mark), scratch.operands.end());
-    for (std::size_t i = mark; i < scratch.operands.size(); ++i) push_child(node, scratch.operands[i], ray, scratch);
+    for (std::size_t i = mark; i < scratch.operands.size(); ++i) push_child(node, scratch.operands[i], line, scratch);
     scratch.operands.resize(mark);
   } else {
-    for (; looked_at < count; ++looked_at) push_child(node, looked_at, ray, scratch);
+    for (; looked_at < count; ++looked_at) push_child(node, looked_at, line, scratch);
   }
   sort(list, begin);
   // To be inside of a difference is to be inside of the first and of all the others' complements, which at the line's
   // beginning surround it.
   if (subtracts)
-    sweep(list, begin, count - 1, count);
+    sweep(line, list, begin, count - 1, count);
   else
-    sweep(list, begin, 0, node.operation == Operation::unite ? 1 : count);
+    sweep(line, list, begin, 0, node.operation == Operation::unite ? 1 : count);
 }
 
-void CsgSolid::push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceScratch& scratch) const {
+void CsgSolid::push_child(const Node& node, std::uint32_t i, const Line& line, TraceScratch& scratch) const {
   std::vector<Boundary>& list = scratch.boundaries;
   const std::size_t begin = list.size();
   const Child& child = node.children[i];
   if (child.is_node) {
-    push_node(child.index, ray, scratch);
+    push_node(child.index, line, scratch);
   } else {
     const auto push = [&](const auto& placed) {
       bool is_entry = true;
-      for (const Hit& hit : crossings(placed.shape, placed.carried(ray))) {
+      for (const Hit& hit : crossings(placed.shape, placed.carried(line.ray))) {
         list.push_back({hit, child.index, false, is_entry});
         is_entry = !is_entry;
       }
@@ -135,9 +157,13 @@ bool CsgSolid::node_contains(std::uint32_t index, const Vec3& p) const {
 }
 
 SurfacePoint CsgSolid::point(const Ray& ray, const RayHit& hit) const {
-  SurfacePoint p = std::visit([&](const auto& placed) { return placed.point(ray, hit); }, operands_[hit.operand].shape);
+  SurfacePoint p = operand_point(hit.operand, ray, hit);
   if (hit.is_flipped) p.normal = -p.normal;
   return p;
+}
+
+SurfacePoint CsgSolid::operand_point(std::uint32_t operand, const Ray& ray, const Hit& hit) const {
+  return std::visit([&](const auto& placed) { return placed.point(ray, hit); }, operands_[operand].shape);
 }
 
 std::vector<std::uint32_t> CsgSolid::path(std::uint32_t operand) const {

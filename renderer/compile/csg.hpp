@@ -19,7 +19,8 @@ struct LineQuery : bvh::Query {
 
 /// A combination of solids, made ready for tracing. Along a line each operand is a list of intervals, and so is what
 /// the operations make of them (Roth, Ray Casting for Modeling Solids, 1982); the ends of the intervals are the
-/// surface. Where operands' surfaces coincide, the one declared first is taken.
+/// surface. Where operands' surfaces touch, as far as rounding can tell, the line crosses them all at once, and the one
+/// declared first is taken: no skin is left over a hole that is cut flush with the surface.
 class CsgSolid {
 public:
   using Operation = scene::Combination::Operation;
@@ -37,7 +38,7 @@ public:
 
   /// Pushes the boundaries along the whole line on `scratch.boundaries`: from near to far, entering and leaving by
   /// turns.
-  void push_boundaries(const Ray& ray, TraceScratch& scratch) const { push_node(0, ray, scratch); }
+  void push_boundaries(const Ray& ray, TraceScratch& scratch) const { push_node(0, {ray, slack(ray)}, scratch); }
 
   bool contains(const Vec3& p) const { return node_contains(0, p); }
 
@@ -86,6 +87,11 @@ private:
     std::vector<Child> children;
     std::unique_ptr<Index> index; // of all children that need not be looked at: those of a union, those taken away
   };
+  // A line, and how near to each other boundaries must be to be looked at closely.
+  struct Line {
+    const Ray& ray;
+    Slack slack;
+  };
   // The parent's entry and the position in its list.
   struct Source {
     std::uint32_t parent;
@@ -94,8 +100,13 @@ private:
 
   Box3 box_of(std::uint32_t node, const Affine& map) const;
   Box3 box_of(const Child& child, const Affine& map) const;
-  void push_node(std::uint32_t node, const Ray& ray, TraceScratch& scratch) const;
-  void push_child(const Node& node, std::uint32_t i, const Ray& ray, TraceScratch& scratch) const;
+  Slack slack(const Ray& ray) const;
+  void push_node(std::uint32_t node, const Line& line, TraceScratch& scratch) const;
+  void push_child(const Node& node, std::uint32_t i, const Line& line, TraceScratch& scratch) const;
+  void sweep(const Line& line, std::vector<Boundary>& list, std::size_t begin, std::size_t depth,
+             std::size_t threshold) const;
+  std::size_t end_of_place(const Line& line, const std::vector<Boundary>& list, std::size_t first) const;
+  SurfacePoint operand_point(std::uint32_t operand, const Ray& ray, const Hit& hit) const;
   bool node_contains(std::uint32_t node, const Vec3& p) const;
   bool child_contains(const Child& child, const Vec3& p) const;
 
@@ -103,6 +114,7 @@ private:
   std::vector<Node> nodes_; // the first is the root
   std::vector<Source> sources_;
   std::vector<BindingId> media_; // candidates for the medium's, the first one best
+  double reach_ = 0;             // no point of a finite operand has a greater magnitude
 };
 
 /// Makes the solid of a combination.

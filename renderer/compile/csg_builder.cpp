@@ -1,6 +1,8 @@
 #include "renderer/compile/csg.hpp"
+#include "renderer/math/rounding.hpp"
 #include "renderer/scene/validation/validate.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace rt {
@@ -95,6 +97,8 @@ void CsgBuilder::add_operand(CsgSolid& solid, const ListFrame& frame, const scen
   const bool casts_shadow = frame.casts_shadow && object.casts_shadow;
   const auto add = [&](SolidShape shape) {
     solid.nodes_[frame.node].children.push_back({static_cast<std::uint32_t>(solid.operands_.size()), false});
+    const Box3 box = std::visit([](const auto& placed) { return placed.box(); }, shape);
+    if (box.is_finite()) solid.reach_ = std::max(solid.reach_, reach_of(box));
     solid.operands_.push_back({std::move(shape), binding, casts_shadow, source});
   };
   scene_.shapes.visit(object.shape, [&]<class S>(const S& shape) {

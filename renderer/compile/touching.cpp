@@ -64,10 +64,6 @@ std::size_t select(const Ray& ray, std::vector<MetSurface>& surfaces) {
 
 } // namespace
 
-bool touch(const Surface& a, const Surface& b) {
-  return std::max(distance_apart(a, b), distance_apart(b, a)) <= a.error + b.error;
-}
-
 double TouchingSurfaces::end() const {
   double last = 0;
   for (const MetSurface& m : surfaces) last = std::max(last, m.hit.t);
@@ -112,7 +108,7 @@ void sort_inside_out(const CompiledScene& scene, const Ray& ray, std::span<MetSu
 
   struct Entered {
     MetSurface met;
-    double reach = 0; ///< how far it goes on from the place, in five directions together
+    std::vector<double> reach{}; ///< how far it goes on from the place, in each direction
   };
   std::vector<Entered> solids;
   for (const MetSurface& m : entered) solids.push_back({m});
@@ -122,13 +118,17 @@ void sort_inside_out(const CompiledScene& scene, const Ray& ray, std::span<MetSu
     for (Entered& solid : solids) {
       const auto end =
           std::ranges::find_if(hits, [&](const RayHit& hit) { return scene.order(hit) == solid.met.surface.order; });
-      solid.reach += end == hits.end() ? infinity : end->t;
+      solid.reach.push_back(end == hits.end() ? infinity : end->t);
     }
   }
   const auto is_inside = [](const Entered& a, const Entered& b) {
     constexpr double least = 1 - 1e-9; // of a difference between reaches that rounding does not make
-    if (a.reach < b.reach * least) return true;
-    if (b.reach < a.reach * least) return false;
+    bool is_shorter = false, is_longer = false;
+    for (std::size_t i = 0; i < a.reach.size(); ++i) {
+      is_shorter |= a.reach[i] < b.reach[i] * least;
+      is_longer |= b.reach[i] < a.reach[i] * least;
+    }
+    if (is_shorter != is_longer) return is_shorter;
     return std::tuple(a.met.surface.ior, a.met.surface.order) > std::tuple(b.met.surface.ior, b.met.surface.order);
   };
   // By insertion: what is all but equal need not be equal to a third.

@@ -19,10 +19,6 @@ struct MetSurface {
   bool is_opaque = false; ///< lets no light by, at this point
 };
 
-/// Whether two surfaces that one ray met are in one place as far as rounding can tell: their points, which are refined,
-/// are no farther apart along the normals than the bounds of their errors together.
-bool touch(const Surface& a, const Surface& b);
-
 /// What a ray meets in one place.
 struct TouchingSurfaces {
   /// All that is there. Those that count come first: the first declared of the opaque ones, which ends the ray; or, of
@@ -48,8 +44,8 @@ std::optional<MetSurface> first_surface(const CompiledScene& scene, const Ray& r
                                         TraceScratch& scratch);
 
 /// Puts solids that begin where `ray` meets their touching surfaces in order from the inside out: one that lies within
-/// another reaches less far from there. Where that does not tell, the higher index of refraction is inside, then the
-/// one declared last.
+/// another reaches less far from there, and in no direction farther. Where that does not tell, the higher index of
+/// refraction is inside, then the one declared last.
 void sort_inside_out(const CompiledScene& scene, const Ray& ray, std::span<MetSurface> entered);
 
 } // namespace rt

@@ -6,6 +6,7 @@
 #include "renderer/shading/media.hpp"
 #include "renderer/shapes/hit.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace rt {
 /// bounds of the errors, unless the ray all but grazes the surfaces. What is so near is looked at closely.
 struct Slack {
   double fixed = 0; ///< for the ray's origin and the extent of the scene
-  double end(double t) const { return t + t * 0x1p-30 + fixed; }
+  double end(double t) const { return t + std::abs(t) * 0x1p-30 + fixed; }
 };
 
 /// Looks for the nearest hit, and for others that contest it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/math/affine.hpp"
+#include "renderer/math/box3.hpp"
 
 #include <limits>
 
@@ -16,6 +17,11 @@ constexpr double rounding_bound(int n) {
 /// The sum of the coordinates' magnitudes, which no rounding error in a dot product with a unit vector exceeds.
 inline double magnitude(const Vec3& p) {
   return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+}
+
+/// A bound on the magnitudes of the box's points; 0 for an empty one.
+inline double reach_of(const Box3& box) {
+  return box.is_empty() ? 0 : magnitude(max(abs(box.lower), abs(box.upper)));
 }
 
 /// A bound on the distance between the computed `map.point(p)` and the exact image, where p itself may be off by

@@ -2,7 +2,14 @@
 
 #include "renderer/math/rounding.hpp"
 
+#include <algorithm>
+
 namespace rt {
+
+bool touch(const SurfacePoint& a, const SurfacePoint& b) {
+  const Vec3 between = b.position - a.position;
+  return std::max(std::abs(dot(between, a.normal)), std::abs(dot(between, b.normal))) <= a.error + b.error;
+}
 
 SurfacePoint mapped(const SurfacePoint& local, const Affine& to_scene, const Affine& to_local) {
   SurfacePoint image;

@@ -63,6 +63,10 @@ struct SurfacePoint {
   double error = 0;
 };
 
+/// Whether two points where one ray meets surfaces are in one place as far as rounding can tell: they are no farther
+/// apart along the normals than the bounds of their errors together.
+bool touch(const SurfacePoint& a, const SurfacePoint& b);
+
 /// A point that was drawn from a surface.
 struct AreaPoint {
   Vec3 position;

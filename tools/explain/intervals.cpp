@@ -5,6 +5,7 @@
 #include "tools/explain/naming.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rt::tools::explain {
@@ -31,6 +32,20 @@ LineIntervals of_shape(const G& shape, const Ray& ray) {
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(found.count); i += 2)
     inside.push_back({found.at[i].t, found.at[i + 1].t});
   return inside;
+}
+
+// Without what rounding makes where surfaces touch: intervals and gaps far shorter than the digits that are shown.
+LineIntervals without_slivers(const LineIntervals& a) {
+  const auto is_sliver = [](double from, double to) { return to - from <= 1e-12 * std::abs(to); };
+  LineIntervals kept;
+  for (const LineInterval& s : a) {
+    if (is_sliver(s.enter, s.leave)) continue;
+    if (!kept.empty() && is_sliver(kept.back().leave, s.enter))
+      kept.back().leave = s.leave;
+    else
+      kept.push_back(s);
+  }
+  return kept;
 }
 
 struct TooDeep {};
@@ -142,6 +157,7 @@ std::optional<CombinationIntervals> intervals_along(const scene::Scene& scene, s
       result.inside = result.operands.empty() ? inside : Walker::combine(combination.operation, result.inside, inside);
       result.operands.push_back({&operand, std::move(inside)});
     }
+    result.inside = without_slivers(result.inside);
   } catch (const TooDeep&) {
     return std::nullopt;
   }

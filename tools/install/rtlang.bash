@@ -15,14 +15,14 @@ _rtlang() {
     --stats) words='json' ;;
     --mode) words='whitted path occlusion' ;;
     --allow) words=$("$program" lint --rules 2>/dev/null | sed 's/^[^ ]* *\([a-z_]*\) .*/\1/') ;;
-    -D | --size | --samples | --max-* | --crop | --threads | --time | --part | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed | --noise) return ;;
+    -D | --size | --samples | --max-* | --crop | --threads | --time | --part | --pixel | --sample | --ray | --at | --depth | --least | --gate | --depth-share | --scenes | --seed | --noise | --min-weight) return ;;
   esac
   if [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -n 's/^ *\(-[A-Za-z]\), \(--[a-z-]*\).*/\1 \2/p; t; s/^ *\(--*[A-Za-z-]*\) .*/\1/p')
   elif [[ $command == explain ]]; then
     words=$("$program" explain 2>/dev/null | sed 's/ .*//')
   elif [[ $command == doc ]]; then
-    words=$("$program" doc 2>/dev/null | sed -n 's/^  \([A-Za-z_][A-Za-z0-9_]*\) .*/\1/p')
+    words=$("$program" doc --names 2>/dev/null)
   elif ((COMP_CWORD == 1)); then
     words=$commands
   fi

@@ -199,20 +199,10 @@ std::string describe_own(Shell& shell, std::string_view name) {
   return fmt::format("{}\n  takes {}\n", text, fmt::join(properties, ", "));
 }
 
-std::string describe_color(const Shell& shell, std::string_view name) {
-  const auto rgb = lang::find_css_color(name);
-  if (!rgb) return "";
-  const std::string sample = shell.output().uses_color ? swatch(lang::from_srgb8(*rgb)) + " " : "";
-  return fmt::format("{}{}: the colour #{:06x}\n", sample, name, *rgb);
-}
-
 std::string describe_word(Shell& shell, std::string_view word) {
-  std::string text = describe_own(shell, word);
-  if (const auto entry = lang::find_entry(word)) return text + lang::describe(*entry);
-  if (text.empty()) text = lang::describe_properties(word);
-  if (text.empty()) text = describe_color(shell, word);
-  if (text.empty()) text = lang::describe_keyword(word);
-  return text;
+  const auto color = lang::find_css_color(word);
+  const std::string sample = color && shell.output().uses_color ? swatch(lang::from_srgb8(*color)) + " " : "";
+  return describe_own(shell, word) + sample + lang::describe_name(word);
 }
 
 bool doc(Shell& shell, std::string_view arguments) {
@@ -225,7 +215,7 @@ bool doc(Shell& shell, std::string_view arguments) {
     return true;
   }
   std::vector<std::string> names = shell.session().names();
-  for (const lang::ReferenceEntry& e : lang::reference()) names.push_back(e.name);
+  for (std::string& name : lang::reference_names()) names.push_back(std::move(name));
   const std::vector<std::string_view> views(names.begin(), names.end());
   const auto nearest = lang::nearest(arguments, views);
   return shell.fail(fmt::format("the language has no `{}`{}", arguments,

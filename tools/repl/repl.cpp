@@ -21,18 +21,12 @@
 #include <unistd.h>
 
 #include <clocale>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <istream>
 
 namespace rt::tools {
 namespace {
-
-bool takes_color() {
-  const char* no_color = std::getenv("NO_COLOR");
-  return !(no_color && *no_color);
-}
 
 // libedit knows characters beyond ASCII only in a locale that has them. Numbers stay as they are in every locale.
 void use_utf8() {
@@ -83,7 +77,7 @@ void take_leave(Shell& shell) {
 class Terminal {
 public:
   explicit Terminal(const ReplOptions& options)
-      : state_(state_folder()), shell_(shell_options(options, state_, true), {print, print, takes_color()}),
+      : state_(state_folder()), shell_(shell_options(options, state_, true), {print, print, terminal_takes_color()}),
         preview_(shell_.printer()), editor_(hooks(), state_.empty() ? "" : state_ + "/history") {}
 
   int run(const ReplOptions& options) {

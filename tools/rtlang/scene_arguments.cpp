@@ -218,4 +218,12 @@ std::function<std::string(const std::string&)> whole_number(int least, int great
   };
 }
 
+std::function<std::string(const std::string&)> number_between(double least, double greatest) {
+  return [=](const std::string& word) -> std::string {
+    const auto given = live::parse_numbers(word, ',', 1);
+    if (given && given->front() >= least && given->front() <= greatest) return "";
+    return fmt::format("takes a number from {} to {}, not `{}`", least, greatest, word);
+  };
+}
+
 } // namespace rt::tools

@@ -64,5 +64,7 @@ live::Document load_document(const SceneArguments& arguments, const live::Pictur
 std::function<std::string(const std::string&)> one_of(std::vector<std::string> words);
 /// The same for a whole number from `least` to `greatest`.
 std::function<std::string(const std::string&)> whole_number(int least, int greatest);
+/// And for any number.
+std::function<std::string(const std::string&)> number_between(double least, double greatest);
 
 } // namespace rt::tools

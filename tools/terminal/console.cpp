@@ -24,23 +24,21 @@ bool error_is_terminal() {
   return ::isatty(STDERR_FILENO) != 0;
 }
 
-namespace {
-
-bool colors_are_wanted() {
+bool terminal_takes_color() {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   if (no_color != nullptr && *no_color != '\0') return false;
-  return terminal != nullptr && std::string_view(terminal) != "dumb";
+  if (terminal == nullptr) return false;
+  const std::string_view name = terminal;
+  return name != "dumb" && !name.starts_with("vt1") && !name.starts_with("vt2");
 }
 
-} // namespace
-
 bool error_takes_color() {
-  return error_is_terminal() && colors_are_wanted();
+  return error_is_terminal() && terminal_takes_color();
 }
 
 bool output_takes_color() {
-  return ::isatty(STDOUT_FILENO) != 0 && colors_are_wanted();
+  return ::isatty(STDOUT_FILENO) != 0 && terminal_takes_color();
 }
 
 } // namespace rt::tools

@@ -10,7 +10,9 @@ void print(std::string_view text);
 void print_error(std::string_view text) noexcept;
 
 bool error_is_terminal();
-/// Standard error is a terminal that knows colours and NO_COLOR is not set (see no-color.org).
+/// What TERM names knows colours (a vt100 does not), and NO_COLOR is not set (see no-color.org).
+bool terminal_takes_color();
+/// Standard error is a terminal that takes them.
 bool error_takes_color();
 /// The same for standard output.
 bool output_takes_color();

@@ -1,6 +1,7 @@
 #include "tools/terminal/picture.hpp"
 
 #include "renderer/math/color.hpp"
+#include "tools/terminal/console.hpp"
 
 #include <chafa.h>
 #include <fmt/format.h>
@@ -152,7 +153,7 @@ PicturePrinter::PicturePrinter(bool is_terminal) {
   ChafaTermDb* db = chafa_term_db_get_default();
   terminal_.reset(chafa_term_db_detect(db, environ));
   color_mode_ = detect_colors(terminal_.get());
-  if (is_terminal && environment("NO_COLOR").empty()) {
+  if (is_terminal && terminal_takes_color()) {
     graphics_ = detect(terminal_.get());
     may_ask_ = graphics_ == Graphics::half_blocks;
   }

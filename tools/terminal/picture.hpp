@@ -23,8 +23,8 @@ struct PictureExtent {
 
 /// Turns films into what a terminal shows. What it can show is told by the environment (TERM, COLORTERM, TERM_PROGRAM,
 /// …) which form to take: kitty's or iTerm2's protocol or sixels where the terminal has them, coloured half blocks
-/// elsewhere, and characters by brightness where NO_COLOR is set or output is no terminal. RTLANG_GRAPHICS=sixel,
-/// kitty, iterm2, blocks or text overrules it.
+/// elsewhere, and characters by brightness where the terminal takes no colours or output is no terminal.
+/// RTLANG_GRAPHICS=sixel, kitty, iterm2, blocks or text overrules it.
 class PicturePrinter {
 public:
   explicit PicturePrinter(bool is_terminal);

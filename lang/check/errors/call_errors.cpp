@@ -10,14 +10,16 @@
 namespace rt::lang::errors {
 namespace {
 
-/// The arguments of a call as the properties that they were meant to be.
+/// The arguments of a call as the properties, or the members, that they were meant to be.
 std::string as_properties(CheckContext& context, const Ast& ast, NodeId call, const StaticType& callee) {
   const NodeList arguments = ast.call(call).arguments;
+  const bool has_members =
+      !callee.function && (callee.type->category == Category::group || callee.type->category == Category::combination);
   std::string properties;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view value = context.text(ast.span(arguments[i]));
     if (i > 0) properties += ", ";
-    if (ast.kind(arguments[i]) == Kind::argument)
+    if (ast.kind(arguments[i]) == Kind::argument || has_members)
       properties += value;
     else if (callee.function && i < callee.function->parameters.size())
       properties += fmt::format("{}: {}", context.name(callee.function->parameters[i].name), value);

@@ -67,18 +67,33 @@ constexpr ForeignName foreign_names[] = {
     {"ring", "write `disc { radius: …, hole: … }`"},
     {"annulus", "write `disc { radius: …, hole: … }`"},
     {"line", "write a thin `cylinder { from: …, to: …, radius: 0.01 }`"},
+    {"curve", "a `for` sets `sphere`s or `cylinder`s along it"},
+    {"spline", "a `for` sets `sphere`s or `cylinder`s along it"},
+    {"bezier", "a `for` sets `sphere`s or `cylinder`s along it"},
     {"capsule", "write a `cylinder` and two `sphere`s, joined by `|`"},
     {"torus", "there is none yet: a `for` sets `sphere`s or `cylinder`s around a circle"},
     {"text", "there are no letters; a `polygon` draws any outline"},
     {"text3d", "there are no letters; a `polygon` draws any outline"},
     {"image", "there are no image textures; `checker` is a pattern"},
     {"image_map", "there are no image textures; `checker` is a pattern"},
+    {"marble", "`checker` is the only pattern"},
+    {"granite", "`checker` is the only pattern"},
+    {"gradient", "`checker` is the only pattern"},
+    {"stripes", "`checker` is the only pattern"},
+    {"brick", "`checker` is the only pattern"},
+    {"plastic", "write `material { color: …, specular: 0.5 }`"},
+    {"metal", "write `gold`, `silver`, `copper`, `chrome`, `iron`, …"},
+    {"phong", "write `material { color: …, specular: 0.5 }`"},
+    {"lambert", "write `material { color: … }`, or `matte`"},
     {"bump_map", "surfaces are smooth: there are no bumps"},
     {"normal_map", "surfaces are smooth: there are no bumps"},
     {"hull", "solids are combined with `|`, `&` and `-`"},
     {"minkowski", "solids are combined with `|`, `&` and `-`"},
     {"linear_extrude", "write a `box`, a `cylinder` or a `group` of `polygon`s"},
     {"rotate_extrude", "write a `cylinder`, a `cone` or a `sphere`"},
+    {"extrude", "write a `box`, a `cylinder` or a `group` of `polygon`s"},
+    {"transform", "write `thing.rotate(…).move(…)`, or `thing.transform(matrix)`"},
+    {"emitter", "write `mode: path`, and a shape whose material has `emission`"},
     {"area_light", "write `mode: path`, and a shape whose material has `emission`"},
     {"AreaLight", "write `mode: path`, and a shape whose material has `emission`"},
     {"RectAreaLight", "write `mode: path`, and a shape whose material has `emission`"},
@@ -188,7 +203,11 @@ constexpr ForeignProperty properties[] = {
     {"translate", "at"},
     {"origin", "at"},
     {"eye", "at"},
+    {"x", "at"},
+    {"y", "at"},
+    {"z", "at"},
     {"lookat", "look_at"},
+    {"direction", "look_at"},
     {"target", "look_at"},
     {"point_at", "look_at"},
     {"sky", "up"},
@@ -213,6 +232,7 @@ constexpr ForeignProperty properties[] = {
     {"r", "radius"},
     {"d", "radius"},
     {"diameter", "radius"},
+    {"size", "radius"},
     {"h", "height"},
     {"length", "height"},
     {"length", "size"},
@@ -300,6 +320,8 @@ std::string dialect_property(std::string_view property, const NodeType* type) {
   for (const ForeignProperty& word : properties) {
     if (word.theirs != property || !type->find(word.ours)) continue;
     if (property == "diameter" || property == "d") return "write `radius`, half of the diameter";
+    if (property == "x" || property == "y" || property == "z") return "write `at: [x, y, z]`";
+    if (property == "direction" && word.ours == "look_at") return "write `look_at`, a point on the way";
     if (property == "opacity") return "write `refract`, which is 0 where nothing shines through";
     if (word.ours == "size" && property != "dimensions" && property != "resolution") return size_advice(*type);
     return fmt::format("write `{}`", word.ours);

@@ -194,8 +194,9 @@ std::span<const Code> syntax() {
        "param r = 2\n"
        "sphere { radius: r }"},
       {"E0135", "A vector is written in square brackets",
-       "`[x, y, z]` is a vector. Parentheses hold one value, and angle brackets compare.", "sphere { at: (1, 2, 3) }",
-       "sphere { at: [1, 2, 3] }"},
+       "`[x, y, z]` is a vector. Parentheses hold one value, and angle brackets compare. What POV-Ray puts behind a "
+       "brace, `sphere { <0, 1, 0>, 2 }` or `plane { y, 0 }`, has names here.",
+       "sphere { at: (1, 2, 3) }", "sphere { at: [1, 2, 3] }"},
       {"E0136", "An `if` or `fn` inside an expression needs parentheses",
        "An `if` or a function stands alone as a value, `x = if a { 1 } else { 2 }`; beside an operator it stands "
        "in parentheses, so that it is plain where it ends.",

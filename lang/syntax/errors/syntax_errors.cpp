@@ -82,8 +82,10 @@ public:
     case Expected::comment_end:
       return errors::unclosed_comment({place_.file, place_.at - 2, place_.at}, "this comment is not closed",
                                       "expected `*/` before the end of the file");
-    case Expected::line_not_led_by_sign:
-      return led_by_operator();
+    case Expected::item_begin:
+      if (place_.follows_line) return led_by_operator();
+      return error(errors::vector_without_brackets, "a value is written after its property's name",
+                   povray_form(place_.text, place_.open.back().at));
     }
     return error(errors::unexpected, "unexpected " + found());
   }
@@ -286,9 +288,11 @@ private:
       return error(errors::vector_without_brackets, "a vector is written in square brackets", "`[x, y, z]`");
     }
     if (found_is("=") && before_.kind == TokenKind::symbol && before_.end == found_.begin) {
-      return errors::foreign_operator(
-          {place_.file, before_.begin, found_.end}, fmt::format("there is no `{}=`", text(before_)),
-          before_is("==") || before_is("!=") ? fmt::format("write `{}`", text(before_)) : "a name keeps its value");
+      return errors::foreign_operator({place_.file, before_.begin, found_.end},
+                                      fmt::format("there is no `{}=`", text(before_)),
+                                      before_is("==") || before_is("!=") ? fmt::format("write `{}`", text(before_))
+                                      : before_is(":")                   ? "write `=`"
+                                                                         : "a name keeps its value");
     }
     if (found_is(">") && before_is("-")) {
       return error(errors::foreign_operator, "there is no `->` here",

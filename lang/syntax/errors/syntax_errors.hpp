@@ -36,7 +36,7 @@ enum class Expected : std::uint8_t {
   param_value,
   string_end,
   comment_end,
-  line_not_led_by_sign,
+  item_begin, ///< not a sign in the line after another item, nor a value of POV-Ray's without a name
 };
 
 struct OpenBracket {
@@ -62,8 +62,10 @@ Diagnostic explain_failure(const SyntaxPlace& place, Expected expected);
 std::optional<Diagnostic> foreign_word(Span span, std::string_view word);
 /// `translate(…) sphere {}`: what stands before a thing elsewhere, and behind it here; nothing for other words.
 std::optional<Diagnostic> foreign_method(Span span, std::string_view word);
-/// How to write what stands at a brace followed by a vector, `sphere { <0, 1, 0>, 1 }`.
+/// How to write what stands at a brace followed by values alone, `sphere { <0, 1, 0>, 1 }`.
 std::string povray_form(std::string_view text, std::uint32_t brace);
+/// Whether the brace is of a thing that POV-Ray has, too, and describes by values without names.
+bool is_povray_thing(std::string_view text, std::uint32_t brace);
 Diagnostic unknown_character(Span span, std::string_view c);
 /// `#` where no colour is meant: a comment, or a directive of POV-Ray.
 Diagnostic misplaced_hash(Span span, std::string_view text);

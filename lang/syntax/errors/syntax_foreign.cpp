@@ -37,6 +37,7 @@ constexpr std::array statements{
     ForeignWord{"assert", "`expect length(v) > 1`: `rtlang test` tries it"},
     ForeignWord{"print", "write `print(…)`"},
     ForeignWord{"echo", "write `print(…)`"},
+    ForeignWord{"new", "a thing's own name makes it: `sphere { radius: 2 }`"},
     ForeignWord{"object", "a thing's own name places it: `table { width: 3 }`"},
 };
 
@@ -58,8 +59,74 @@ constexpr std::array povray_forms{
     PovrayForm{"cone", "cone", {"from", "radius", "to", "top_radius"}},
     PovrayForm{"plane", "plane", {"normal", "offset"}},
     PovrayForm{"disc", "disc", {"at", "normal", "radius", "hole"}},
+    PovrayForm{"triangle", "triangle", {"points"}},
     PovrayForm{"light_source", "light", {"at"}},
 };
+
+bool is_vector(std::string_view property) {
+  return property == "at" || property == "from" || property == "to" || property == "normal";
+}
+
+// The form of the thing whose block the brace opens, if it has one.
+const PovrayForm* form_at(std::string_view text, std::uint32_t brace) {
+  std::size_t end = brace;
+  while (end > 0 && (is_blank(text[end - 1]) || text[end - 1] == '\n')) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_name_part(text[begin - 1])) --begin;
+  const auto* const form = std::find_if(povray_forms.begin(), povray_forms.end(), [&](const PovrayForm& f) {
+    return f.theirs == text.substr(begin, end - begin);
+  });
+  return form == povray_forms.end() ? nullptr : form;
+}
+
+// A vector in short: `y`, `-z`, or a number that stands for all three parts. Empty for anything else.
+std::string short_vector(std::string_view text, Token& token) {
+  Token last = token;
+  const bool is_negative = text_of(text, last) == "-";
+  if (is_negative) last = next_token(text, last.end);
+  const std::string_view word = text_of(text, last);
+  const std::string one = fmt::format("{}{}", is_negative ? "-" : "", last.kind == TokenKind::number ? word : "1");
+  if (last.kind != TokenKind::number && word != "x" && word != "y" && word != "z") return {};
+  token = next_token(text, last.end);
+  const auto part = [&](std::string_view axis) {
+    return last.kind == TokenKind::number || word == axis ? std::string_view(one) : "0";
+  };
+  return fmt::format("[{}, {}, {}]", part("x"), part("y"), part("z"));
+}
+
+// The next of POV-Ray's values as it is written here, empty where there is none. Moves `token` behind its comma.
+std::string povray_value(std::string_view text, Token& token, bool is_vector) {
+  const auto skip_newlines = [&] {
+    while (token.kind == TokenKind::newline) token = next_token(text, token.end);
+  };
+  skip_newlines();
+  std::string value;
+  if (is_vector && text_of(text, token) != "<") value = short_vector(text, token);
+  const bool is_read = !value.empty();
+  for (int depth = 0; !is_read && (token.kind == TokenKind::number || token.kind == TokenKind::symbol || depth > 0);
+       token = next_token(text, token.end)) {
+    const std::string_view word = text_of(text, token);
+    if (token.kind == TokenKind::end || token.kind == TokenKind::close) break;
+    depth += word == "<" ? 1 : word == ">" ? -1 : 0;
+    if (token.kind == TokenKind::newline) continue;
+    value += word == "<" ? "[" : word == ">" ? "]" : word == "," ? ", " : word;
+    if (is_vector && depth == 0) {
+      token = next_token(text, token.end);
+      break;
+    }
+  }
+  if (text_of(text, token) == ",") token = next_token(text, token.end);
+  skip_newlines();
+  return value;
+}
+
+// All the vectors that follow, as a list.
+std::string povray_points(std::string_view text, Token& token) {
+  std::string points;
+  while (text_of(text, token) == "<")
+    points += fmt::format("{}{}", points.empty() ? "" : ", ", povray_value(text, token, true));
+  return points.empty() ? "" : fmt::format("[{}]", points);
+}
 
 // POV-Ray's.
 constexpr std::array directives{"declare"sv, "local"sv,  "include"sv, "version"sv, "macro"sv,  "while"sv,
@@ -108,41 +175,22 @@ std::optional<Diagnostic> foreign_method(Span span, std::string_view word) {
                                    std::string(found->way_out));
 }
 
+bool is_povray_thing(std::string_view text, std::uint32_t brace) {
+  return form_at(text, brace) != nullptr;
+}
+
 std::string povray_form(std::string_view text, std::uint32_t brace) {
-  std::size_t end = brace;
-  while (end > 0 && (is_blank(text[end - 1]) || text[end - 1] == '\n')) --end;
-  std::size_t begin = end;
-  while (begin > 0 && is_name_part(text[begin - 1])) --begin;
-  const auto* const form = std::find_if(povray_forms.begin(), povray_forms.end(), [&](const PovrayForm& f) {
-    return f.theirs == text.substr(begin, end - begin);
-  });
-  if (form == povray_forms.end()) return "write `name: [x, y, z]`";
+  const PovrayForm* form = form_at(text, brace);
+  if (!form) return "write `name: [x, y, z]`";
   std::string written;
   Token token = next_token(text, brace + 1);
-  const auto skip_newlines = [&] {
-    while (token.kind == TokenKind::newline) token = next_token(text, token.end);
-  };
   for (const std::string_view property : form->properties) {
-    std::string value;
-    skip_newlines();
-    const bool is_vector = text_of(text, token) == "<";
-    for (int depth = 0; token.kind == TokenKind::number || token.kind == TokenKind::symbol || depth > 0;
-         token = next_token(text, token.end)) {
-      const std::string_view word = text_of(text, token);
-      if (token.kind == TokenKind::end || token.kind == TokenKind::close) break;
-      depth += word == "<" ? 1 : word == ">" ? -1 : 0;
-      if (token.kind == TokenKind::newline) continue;
-      value += word == "<" ? "[" : word == ">" ? "]" : word == "," ? ", " : word;
-      if (is_vector && depth == 0) {
-        token = next_token(text, token.end);
-        break;
-      }
-    }
-    if (value.empty() || property.empty()) break;
+    const std::string value = property == "points" ? povray_points(text, token)
+                              : property.empty()   ? ""
+                                                   : povray_value(text, token, is_vector(property));
+    if (value.empty()) break;
     written += fmt::format("{}{}: {}", written.empty() ? "" : ", ", property, value);
-    if (text_of(text, token) == ",") token = next_token(text, token.end);
   }
-  skip_newlines();
   const bool is_all = token.kind == TokenKind::close || token.kind == TokenKind::end;
   return fmt::format("write `{} {{ {}{} }}`", form->ours, written, is_all ? "" : ", …");
 }
@@ -157,6 +205,9 @@ Diagnostic unknown_character(Span span, std::string_view c) {
                                     "`expect a ~ b` compares approximately, and nothing else does");
   }
   if (c == "!") return errors::foreign_operator(span, "there is no `!` here", "write `not`");
+  if (c == "$")
+    return errors::meaningless_character(span, "`$` has no meaning here",
+                                         "names have none; surfaces are exact, without `$fn`");
   return look_alike(span, c, decode(c).code_point);
 }
 

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -85,4 +86,30 @@ TEST_CASE("reference: a property is described with the things that have it") {
   CHECK(text.find("scene.min_weight: number (0.001953125)  in whitted: ") == 0);
   CHECK(rt::lang::describe_properties("radius").find("\ncylinder.radius: number") != std::string::npos);
   CHECK(rt::lang::describe_properties("no such property").empty());
+}
+
+TEST_CASE("reference: a name that is several things is described as all of them") {
+  // A step of a chain and a material; a function and properties of a material.
+  const std::string mirror = rt::lang::describe_name("mirror");
+  CHECK(mirror.find("thing.mirror(") != std::string::npos);
+  CHECK(mirror.find("material { color: #f7f9f8") != std::string::npos);
+  const std::string reflect = rt::lang::describe_name("reflect");
+  CHECK(reflect.find("reflect(v: point, normal: point)") != std::string::npos);
+  CHECK(reflect.find("\nmaterial.reflect: ") != std::string::npos);
+  CHECK(rt::lang::describe_name("sphere.radius").starts_with("sphere.radius: number (1)  distance"));
+  CHECK(rt::lang::describe_name("plane.radius").empty());
+  CHECK(rt::lang::describe_name("include").starts_with("include \"shapes.rtl\""));
+}
+
+TEST_CASE("reference: whatever is among the names is described") {
+  const std::vector<std::string> names = rt::lang::reference_names();
+  CHECK(std::is_sorted(names.begin(), names.end()));
+  for (const char* name : {"sphere", "radius", "min_weight", "gold", "mirror", "clamp", "pi", "param", "expect"}) {
+    INFO(name);
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+  for (const std::string& name : names) {
+    INFO(name);
+    CHECK_FALSE(rt::lang::describe_name(name).empty());
+  }
 }

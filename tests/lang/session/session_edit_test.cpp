@@ -28,6 +28,19 @@ TEST_CASE("session: properties of named things are set in their text") {
   CHECK(talk.radius(0) == 3);
 }
 
+TEST_CASE("session: a name that is bound is set to another value") {
+  SessionDriver talk;
+  talk.say("r = 2");
+  talk.say("sphere { radius: r }");
+  REQUIRE(talk.session.set("r", "3").is_accepted);
+  CHECK(talk.radius(0) == 3);
+  CHECK(talk.session.text() == "r = 3\nsphere { radius: r }\n");
+  talk.say("def ball(r = 1) { sphere { radius: r } }");
+  const SessionResult refused = talk.session.set("ball.r", "2");
+  CHECK(refused.problem == "`ball` is no thing, but a declaration");
+  CHECK(refused.advice.size() == 1);
+}
+
 TEST_CASE("session: what others use is not removed") {
   SessionDriver talk;
   talk.say("ball = sphere {}");

@@ -80,6 +80,9 @@ TEST_CASE("install: bash without extglob completes commands, files, and the name
   CHECK(completions(program + " sce") == "scene\nscene.rtl\n");
   CHECK(completions(program + " lint ''") == "scene.rtl\n");
   CHECK(completions(program + " doc sph") == "sphere\nspherical\n");
+  CHECK(completions(program + " doc rad") == "radius\n");
+  CHECK(completions(program + " doc mirr") == "mirror\n");
+  CHECK(completions(program + " doc expe") == "expect\n");
   CHECK(completions(program + " explain E060").starts_with("E0601\nE0602\n"));
 }
 

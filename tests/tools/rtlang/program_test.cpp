@@ -174,8 +174,11 @@ TEST_CASE("program: what is piped in without a word is not guessed at") {
   CHECK_THAT(run.errors, StartsWith("rtlang: what is on standard input? A scene is `rtlang -`, "));
 }
 
-TEST_CASE("program: doc knows properties by their names") {
+TEST_CASE("program: doc knows properties by their names, and can list all names") {
   const Desk desk;
   CHECK_THAT(desk.run({"doc", "tone"}).output, StartsWith("scene.tone: clip or filmic (clip)  "));
+  CHECK_THAT(desk.run({"doc", "light.radius"}).output, StartsWith("light.radius: number (0)  "));
+  CHECK(desk.run({"doc", "tomato"}).output == "tomato: the colour #ff6347\n");
+  CHECK_THAT(desk.run({"doc", "--names"}).output, Contains("\nradius\n") && Contains("\nsphere\n"));
   CHECK_THAT(desk.run({"doc", "radios"}).errors, Contains("did you mean `radius`?"));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 namespace {
@@ -20,8 +21,12 @@ rt::Film film(int width, int height, rt::Rgb32 color) {
 
 struct Variable {
   std::string name;
-  Variable(const char* n, const char* value) : name(n) { setenv(n, value, 1); }
-  ~Variable() { unsetenv(name.c_str()); }
+  std::optional<std::string> before;
+  Variable(const char* n, const char* value) : name(n) {
+    if (const char* was = getenv(n)) before = was;
+    setenv(n, value, 1);
+  }
+  ~Variable() { before ? setenv(name.c_str(), before->c_str(), 1) : unsetenv(name.c_str()); }
 };
 
 TEST_CASE("terminal attributes: 4 stands for sixels, 64 and 14 do not") {
@@ -50,6 +55,19 @@ TEST_CASE("picture: half blocks carry the film's colours, encoded as sRGB") {
   const std::string text = printer.print(film(8, 8, {1, 0.5F, 0}), {4, 2, 8, 8});
   CHECK(text.find("255;188;0") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+}
+
+TEST_CASE("picture: a terminal that has no colours is sent characters and no sequences") {
+  const Variable form("RTLANG_GRAPHICS", ""), wish("NO_COLOR", "");
+  const auto shown = [](const char* kind) {
+    const Variable name("TERM", kind);
+    return PicturePrinter(true).print(film(8, 8, {1, 0, 0}), {4, 2, 8, 8});
+  };
+  for (const char* kind : {"vt100", "vt102", "vt220", "dumb"}) {
+    INFO(kind);
+    CHECK(shown(kind).find('\x1b') == std::string::npos);
+  }
+  CHECK(shown("xterm").find('\x1b') != std::string::npos);
 }
 
 TEST_CASE("picture: without colours the lighter a pixel, the fuller its character") {

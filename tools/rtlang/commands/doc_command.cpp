@@ -18,6 +18,7 @@ namespace {
 struct DocArguments {
   std::string name;
   std::string section;
+  bool only_names = false;
 };
 
 int list_names() {
@@ -31,22 +32,20 @@ int list_names() {
   return exit_fine;
 }
 
-int print_entry(const std::string& name) {
-  if (const auto entry = lang::find_entry(name)) {
-    print(lang::describe(*entry));
-    return exit_fine;
-  }
-  std::string text = lang::describe_properties(name);
-  if (text.empty()) text = lang::describe_keyword(name);
+int list_names_only() {
+  std::string text;
+  for (const std::string& name : lang::reference_names()) text += name + "\n";
+  print(text);
+  return exit_fine;
+}
+
+int describe(const std::string& name) {
+  const std::string text = lang::describe_name(name);
   if (!text.empty()) {
     print(text);
     return exit_fine;
   }
-  std::vector<std::string> owned;
-  for (const lang::ReferenceEntry& e : lang::reference()) {
-    owned.push_back(e.name);
-    for (const lang::PropertyEntry& property : e.properties) owned.emplace_back(property.name);
-  }
+  const std::vector<std::string> owned = lang::reference_names();
   const std::vector<std::string_view> names(owned.begin(), owned.end());
   const auto nearest = lang::nearest(name, names);
   throw UsageError(
@@ -60,7 +59,8 @@ int run_doc(const DocArguments& arguments) {
     print(lang::markdown(arguments.section));
     return exit_fine;
   }
-  return arguments.name.empty() ? list_names() : print_entry(arguments.name);
+  if (arguments.only_names) return list_names_only();
+  return arguments.name.empty() ? list_names() : describe(arguments.name);
 }
 
 } // namespace
@@ -69,6 +69,7 @@ Action declare_doc(CLI::App& app) {
   auto arguments = std::make_shared<DocArguments>();
   app.add_option("NAME", arguments->name, "a thing, property, function or material")->group("Arguments");
   app.add_option("--markdown", arguments->section, "prints a section of the language reference")->type_name("SECTION");
+  app.add_flag("--names", arguments->only_names, "prints every name that can be asked for, one a line");
   return [arguments] { return run_doc(*arguments); };
 }
 

@@ -71,7 +71,7 @@ Action declare_lint(CLI::App& app) {
   app.add_option("--depth-share", arguments->options.depth_share,
                  "percentage of pixels that may lose light at max_depth (5)")
       ->type_name("PERCENT")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(number_between(0, 100));
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
   app.add_flag_callback(

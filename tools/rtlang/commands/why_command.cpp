@@ -27,7 +27,7 @@ Action declare_why(CLI::App& app) {
   app.add_option("--least", detail.least,
                  "the tree's rays with at least this weight, 0 to 1; weaker ones are summed up")
       ->type_name("WEIGHT")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_between(0, 1));
   app.add_flag("--json", arguments->options.as_json, "prints JSON");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);

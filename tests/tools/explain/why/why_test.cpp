@@ -160,6 +160,20 @@ TEST_CASE("why: a difference is shown as intervals of the line, and a cut surfac
   CHECK(contains(text_of(*asked), "t₁ is no surface of the combination, so t₂ is taken"));
 }
 
+TEST_CASE("why: parts that lie in each other leave no intervals of rounding") {
+  const double c = std::sqrt(0.75), s = 0.5; // of 30°
+  const auto tilted = [&](const Vec3& v) { return Vec3{v.x, v.y * c - v.z * s, v.y * s + v.z * c}; };
+  for (int i = 0; i < 40; ++i) {
+    // Down through the block's top, the hole's wall, and out by the hole's lower end, which lies in the block's.
+    const auto asked = along("(box { from: [-1, 0, -1], to: [1, 1, 1] }.rotate(y: 10) "
+                             "- cylinder { from: [0, 0, 0], to: [0, 1, 0], radius: 0.6 }.rotate(y: 37)).rotate(x: 30)",
+                             tilted({1.15, 3, 0.01 * i - 0.2}), normalize(tilted({-0.2, -1, 0})));
+    const json inside = surface_of(*asked)["combination"]["inside"];
+    REQUIRE(inside.size() == 1);
+    REQUIRE(inside[0][0].get<double>() == Approx(2 * std::sqrt(1.04))); // 2 down, and 0.4 aside
+  }
+}
+
 TEST_CASE("why: each term of the shading equation has its numbers") {
   // A white floor, a lamp of colour 2 straight above at height 3 with fade quadratic(3): 1 / (1 + 1) = 0.5. With
   // ambient 0.1: 0.1 + 2·0.5·0.8·1 = 0.9. The highlight, specular 0.5, from 45°: h is half-way, 22.5° off:

@@ -31,7 +31,7 @@ struct Evaluation {
   ErrorReporter errors;
   LimitGuard limits;
   Frames frames;
-  bool has_leftovers = false; ///< shapes may have been made that stand nowhere
+  bool may_have_unused = false; ///< shapes may have been made that stand nowhere
 };
 
 /// Base of the parts: the names by which each knows what they share.

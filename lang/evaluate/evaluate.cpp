@@ -147,7 +147,7 @@ void Evaluator::finish_scene() {
   writer_.check_media(scene_.objects);
   if (!set_scene_properties()) return;
   // Expectations may ask about what stands nowhere.
-  if (evaluation_.has_leftovers && expectation_list_.all().empty()) compact(scene_);
+  if (evaluation_.may_have_unused && expectation_list_.all().empty()) compact(scene_);
   for (std::size_t i = 0; i < program_.sources.size(); ++i)
     scene_.files.push_back(program_.sources.file(static_cast<FileId>(i)).name);
   const Span whole_scene{program_.main->ast.file, 0, 0};

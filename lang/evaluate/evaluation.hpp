@@ -33,7 +33,7 @@ struct Evaluation {
   LimitGuard limits;
   Frames frames;
   FunctionBuilder* compiled = nullptr; ///< the function that is being compiled
-  bool has_leftovers = false;          ///< shapes may have been made that stand nowhere
+  bool may_have_unused = false;        ///< shapes may have been made that stand nowhere
 };
 
 /// Base of the parts: the names by which each knows what they share.

@@ -184,7 +184,7 @@ std::string ExpectationRunner::name_of(const Value& thing, NodeId node, const Co
 // shape.
 bool ExpectationRunner::is_seen(const Value& value, const Sighting& sighting) {
   if (is_alone(value)) { // whatever was hit is part of it
-    const bool is_of_it = std::ranges::any_of(alone_.scene->objects, [&](const scene::Object& o) {
+    const bool is_of_it = std::ranges::any_of(single_.scene->objects, [&](const scene::Object& o) {
       return o.shape == sighting.objects.front().shape && o.at == sighting.objects.front().at;
     });
     if (is_of_it) return true;
@@ -214,7 +214,7 @@ const Observer* ExpectationRunner::observer() {
 
 // Whether this is the thing that was asked about alone.
 bool ExpectationRunner::is_alone(const Value& thing) const {
-  return thing.is(ValueKind::thing) && alone_.thing.is(ValueKind::thing) && alone_.thing.cell() == thing.cell();
+  return thing.is(ValueKind::thing) && single_.thing.is(ValueKind::thing) && single_.thing.cell() == thing.cell();
 }
 
 // A scene of its own, because what is asked about need not stand in this one.
@@ -224,7 +224,7 @@ const Observer* ExpectationRunner::observer_of(const Value& value, Span place) {
                                "this is " + describe(value)));
     return nullptr;
   }
-  if (is_alone(value)) return alone_.observer.get();
+  if (is_alone(value)) return single_.observer.get();
   std::vector<scene::Object> objects;
   std::vector<scene::Light> lights;
   Target target;
@@ -235,16 +235,16 @@ const Observer* ExpectationRunner::observer_of(const Value& value, Span place) {
   std::swap(scene_.objects, objects);
   auto alone = std::make_unique<scene::Scene>(scene_);
   std::swap(scene_.objects, objects);
-  alone_ = {};
-  alone_.observer = (*make_observer_)(*alone);
-  alone_.scene = std::move(alone);
-  alone_.thing = value;
-  return alone_.observer.get();
+  single_ = {};
+  single_.observer = (*make_observer_)(*alone);
+  single_.scene = std::move(alone);
+  single_.thing = value;
+  return single_.observer.get();
 }
 
 void ExpectationRunner::clear() {
   observer_.reset();
-  alone_ = {};
+  single_ = {};
 }
 
 } // namespace rt::lang

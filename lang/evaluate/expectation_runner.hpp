@@ -41,7 +41,7 @@ private:
   bool is_alone(const Value& thing) const;
   std::string name_of(const Value& thing, NodeId node, const Context& context);
 
-  struct Alone {
+  struct SingleThing {
     Value thing;
     std::unique_ptr<scene::Scene> scene;
     std::unique_ptr<Observer> observer;
@@ -53,7 +53,7 @@ private:
   SceneWriter& writer_;
   const ObserverMaker* make_observer_ = nullptr;
   std::unique_ptr<Observer> observer_; // of the scene
-  Alone alone_;                        // the thing that was asked about last
+  SingleThing single_;                 // the thing that was asked about last
   std::optional<double> precision_;
   Expectations outcome_;
 };

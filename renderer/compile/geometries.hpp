@@ -33,6 +33,9 @@ struct Either<true, T...> {
 
 template <class S>
 struct GeometryOfShape {
+  static_assert(Solidlike<GeometryOf<S>> ||
+                    std::is_same_v<decltype(is_solid(std::declval<GeometryOf<S>>())), std::false_type>,
+                "a solid says where lines cross it and which points it contains: without that it would be no operand");
   using Type = std::tuple<GeometryOf<S>>;
 };
 template <>

@@ -171,8 +171,8 @@ private:
         return arrive(
             path, hit, [&] { return scene_.surface(path.ray, hit); }, interactions);
       has_contacts_ = true;
-      path.contact =
-          contacts.meet(scene_, path.ray, rest, hit, path.inside, path.tree->media, path.contacts_from, scratch_[0]);
+      path.contact = contacts.intersect(scene_, path.ray, rest, hit, path.inside, path.tree->media, path.contacts_from,
+                                        scratch_[0]);
       if (is_in_contact(&path)) {
         model_.touch(contacts);
       } else {

@@ -6,9 +6,9 @@
 
 namespace rt {
 
-Contacts::Position Contacts::meet(const CompiledScene& scene, const Ray& ray, const Interval& range,
-                                  const RayHit& nearest, MediumStacks::List inside, MediumStacks& media,
-                                  std::uint32_t free, TraceScratch& scratch, Touching which) {
+Contacts::Position Contacts::intersect(const CompiledScene& scene, const Ray& ray, const Interval& range,
+                                       const RayHit& nearest, MediumStacks::List inside, MediumStacks& media,
+                                       std::uint32_t free, TraceScratch& scratch, Touching which) {
   surfaces_.erase(surfaces_.begin() + free, surfaces_.end());
   find_touching(scene, ray, range, nearest, scratch, touching_, which);
   const std::span<MetSurface> met(touching_.surfaces.data(), touching_.count);

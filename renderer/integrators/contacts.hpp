@@ -35,10 +35,10 @@ public:
   /// Finds out what a ray that is inside of `inside` meets at its nearest hit in `range`, which is contested. Surfaces
   /// that were stored from `free` on are forgotten. The result has a count of 0 where all that is entered there is left
   /// at once: the ray goes on behind `end`. With a count of 1 there is one surface that matters, and no contact.
-  Position meet(const CompiledScene& scene, const Ray& ray, const Interval& range, const RayHit& nearest,
-                MediumStacks::List inside, MediumStacks& media, std::uint32_t free, TraceScratch& scratch,
-                Touching which = Touching::all);
-  /// All that is where `meet` looked, also what does not matter.
+  Position intersect(const CompiledScene& scene, const Ray& ray, const Interval& range, const RayHit& nearest,
+                     MediumStacks::List inside, MediumStacks& media, std::uint32_t free, TraceScratch& scratch,
+                     Touching which = Touching::all);
+  /// All that is where `intersect` looked, also what does not matter.
   const std::vector<MetSurface>& met() const { return touching_.surfaces; }
   /// The ray's t at the last of that.
   double end() const { return touching_.end(); }

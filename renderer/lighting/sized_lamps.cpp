@@ -8,37 +8,15 @@
 #include <numbers>
 
 namespace rt {
-namespace {
-
-struct Size {
-  bool is_sun;
-  Vec3 place;
-  double size; // as in SizedLamp; 0: none
-};
-
-Size size_of(const Light& lamp) {
-  return std::visit(
-      [](const auto& emitter) {
-        if constexpr (requires { emitter.radius; })
-          return Size{false, emitter.at, emitter.radius};
-        else if constexpr (requires { emitter.cap_height; })
-          return Size{true, -emitter.direction, emitter.cap_height};
-        else
-          return Size{false, {}, 0};
-      },
-      lamp.emitter);
-}
-
-} // namespace
 
 bool has_size(const Light& lamp) {
-  return lamp.shadows && size_of(lamp).size > 0;
+  return lamp.shadows && extent(lamp).size > 0;
 }
 
 SizedLamps::SizedLamps(std::span<const Light> lamps) {
   for (const Light& lamp : lamps) {
-    const Size size = size_of(lamp);
-    if (has_size(lamp)) list_.push_back({&lamp, size.is_sun, size.place, size.size});
+    const LightExtent where = extent(lamp);
+    if (has_size(lamp)) list_.push_back({&lamp, where.is_infinitely_far, where.place, where.size});
   }
 }
 
@@ -97,13 +75,13 @@ Color SizedLamps::radiance(std::uint32_t index, const Vec3& p) const {
   return sample.color * (sample.distance * sample.distance / (lamp.size * lamp.size));
 }
 
-std::optional<SizedLamps::Meeting> SizedLamps::ball_on(const Ray& ray, double end) const {
-  std::optional<Meeting> nearest;
+std::optional<SizedLamps::BallHit> SizedLamps::ball_on(const Ray& ray, double end) const {
+  std::optional<BallHit> nearest;
   for (std::uint32_t i = 0; i < list_.size(); ++i) {
     const SizedLamp& lamp = list_[i];
     Hit hit;
     if (lamp.is_sun || !intersect(SphereGeometry{lamp.place, lamp.size}, ray, {0, end}, hit)) continue;
-    nearest = Meeting{i, hit.t};
+    nearest = BallHit{i, hit.t};
     end = hit.t;
   }
   return nearest;

@@ -41,12 +41,12 @@ public:
   /// What comes from it to p.
   Color radiance(std::uint32_t index, const Vec3& p) const;
 
-  struct Meeting {
+  struct BallHit {
     std::uint32_t index;
     double distance;
   };
   /// The nearest ball in the way of a ray (unit direction) that meets nothing up to `end`.
-  std::optional<Meeting> ball_on(const Ray& ray, double end) const;
+  std::optional<BallHit> ball_on(const Ray& ray, double end) const;
   /// The sun that a ray sees that meets nothing at all, the next one after `after`.
   std::optional<std::uint32_t> sun_behind(const Vec3& direction, std::optional<std::uint32_t> after = {}) const;
 

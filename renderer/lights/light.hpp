@@ -39,6 +39,13 @@ struct LightSample {
   Color color{};   ///< of the light that arrives if nothing is in the way: color · intensity · fade · spot
 };
 
+/// Where a light is, and how large in path mode. Each emitter has an overload of `extent`.
+struct LightExtent {
+  bool is_infinitely_far;
+  Vec3 place;      ///< its middle; of one infinitely far away the direction to it (unit)
+  double size = 0; ///< the radius of the ball that it is, or 1 − cos of half the angle that it is seen at; 0: none
+};
+
 /// What is left of light at a distance.
 double fade_at(const scene::Fade& fade, double distance);
 

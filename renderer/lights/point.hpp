@@ -29,6 +29,10 @@ struct PointEmitter {
 
 PointEmitter placed(const scene::PointLight& light, const Affine& to_scene);
 
+inline LightExtent extent(const PointEmitter& light) {
+  return {false, light.at, light.radius};
+}
+
 inline LightSample sample_light(const PointEmitter& light, const Vec3& p) {
   return sample_from(light.at, light.fade, p);
 }

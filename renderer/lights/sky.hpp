@@ -36,6 +36,11 @@ inline Color radiance(const SkyEmitter& sky, const Vec3& direction) {
   return height < 0 ? sky.ground : sky.horizon + (sky.zenith - sky.horizon) * height;
 }
 
+/// It is no lamp, and has no size as one.
+inline LightExtent extent(const SkyEmitter& sky) {
+  return {true, sky.up};
+}
+
 /// It gives nothing as a lamp: nobody knows from where its light comes.
 inline LightSample sample_light(const SkyEmitter& sky, const Vec3&) {
   return {sky.up, std::numeric_limits<double>::infinity(), 0};

@@ -36,6 +36,10 @@ struct SpotEmitter {
 
 SpotEmitter placed(const scene::SpotLight& light, const Affine& to_scene);
 
+inline LightExtent extent(const SpotEmitter& light) {
+  return {false, light.at, light.radius};
+}
+
 /// How much of its light leaves it at this angle off its axis: a smoothstep in the cosine.
 double spot_at(const SpotEmitter& light, double cosine);
 

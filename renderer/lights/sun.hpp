@@ -29,6 +29,10 @@ struct SunEmitter {
 
 SunEmitter placed(const scene::SunLight& light, const Affine& to_scene);
 
+inline LightExtent extent(const SunEmitter& light) {
+  return {true, -light.direction, light.cap_height};
+}
+
 inline LightSample sample_light(const SunEmitter& light, const Vec3&) {
   return {-light.direction, std::numeric_limits<double>::infinity()};
 }

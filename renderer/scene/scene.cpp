@@ -130,7 +130,6 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Constraint count{.min = 1, .max = most_samples, .is_whole = true};
   static constexpr Constraint share{.min = 0, .max = 1};
   static constexpr Constraint number{.min = 0, .max = std::numeric_limits<int>::max(), .is_whole = true};
-  static constexpr std::string_view modes[] = {"whitted", "path", "occlusion"};
   static constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris"};
   static constexpr Field table[] = {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
@@ -141,7 +140,7 @@ std::span<const Field> fields(const Scene*) {
           {.default_text = "whitted",
            .help = "how light is followed: whitted; path, with soft shadows and light between surfaces; or occlusion, "
                    "how open surfaces are",
-           .choices = modes}),
+           .choices = mode_names}),
       field<&Scene::max_depth>(
           "max_depth", {"8", "how often a ray may be mirrored or refracted; in path, scattered at all (64)", depth}),
       field<&Scene::samples>(

@@ -16,6 +16,11 @@ namespace rt::scene {
 /// How light is followed: by Whitted's formula, by paths that solve the rendering equation, or not at all: how open
 /// surfaces are.
 enum class Mode : std::uint8_t { whitted, path, occlusion };
+/// Their words, in the same order.
+inline constexpr std::string_view mode_names[] = {"whitted", "path", "occlusion"};
+constexpr std::string_view name(Mode mode) {
+  return mode_names[static_cast<std::size_t>(mode)];
+}
 
 /// How much of the light around a pixel counts for it where samples are random, by its distance: evenly over the pixel,
 /// or a bell 1.5 pixels wide to each side.

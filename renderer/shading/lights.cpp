@@ -12,14 +12,8 @@ Light make_light(const scene::Light& light) {
 }
 
 std::optional<Vec3> position(const Light& light) {
-  return std::visit(
-      [](const auto& emitter) -> std::optional<Vec3> {
-        if constexpr (requires { emitter.at; })
-          return emitter.at;
-        else
-          return std::nullopt;
-      },
-      light.emitter);
+  const LightExtent where = extent(light);
+  return where.is_infinitely_far ? std::nullopt : std::optional(where.place);
 }
 
 } // namespace rt

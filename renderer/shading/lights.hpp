@@ -28,6 +28,10 @@ struct Light {
 
 Light make_light(const scene::Light& light);
 
+inline LightExtent extent(const Light& light) {
+  return std::visit([](const auto& emitter) { return extent(emitter); }, light.emitter);
+}
+
 /// Where it stands; nothing where it shines from infinitely far away.
 std::optional<Vec3> position(const Light& light);
 

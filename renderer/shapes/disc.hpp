@@ -34,8 +34,8 @@ std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map);
 Box3 bounds(const DiscGeometry& disc, const Affine& map = {});
 
 SurfacePoint surface_point(const DiscGeometry& disc, const Ray& ray, const Hit& hit);
-constexpr bool is_solid(const DiscGeometry&) {
-  return false;
+constexpr std::false_type is_solid(const DiscGeometry&) {
+  return {};
 }
 
 inline const DiscGeometry& lamp_surface(const DiscGeometry& disc) {

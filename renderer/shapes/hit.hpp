@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 /// What every shape's geometry offers. `G` stands for SphereGeometry, PlaneGeometry and so on: the shape resolved once
 /// from what was written, in the shape's own space or placed in the scene's.
@@ -19,7 +20,8 @@
 ///
 /// and for solids
 ///
-///     bool is_solid(const G&);                               // false: open, it has no inside
+///     bool is_solid(const G&);                               // false: open, it has no inside. A shape that never has
+///                                                            // one gives std::false_type, and neither of the next two
 ///     Crossings crossings(const G&, const Ray&);             // of the whole line; or another range of hits: see there
 ///     bool contains(const G&, const Vec3&);
 ///

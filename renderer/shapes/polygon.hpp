@@ -31,8 +31,8 @@ std::optional<PolygonGeometry> placed(const PolygonGeometry& polygon, const Affi
 Box3 bounds(const PolygonGeometry& polygon, const Affine& map = {});
 
 SurfacePoint surface_point(const PolygonGeometry& polygon, const Ray& ray, const Hit& hit);
-constexpr bool is_solid(const PolygonGeometry&) {
-  return false;
+constexpr std::false_type is_solid(const PolygonGeometry&) {
+  return {};
 }
 inline Parallelogram lamp_surface(const PolygonGeometry& polygon) {
   return parallelogram_around(polygon.points, polygon.normal);

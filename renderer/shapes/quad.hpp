@@ -38,8 +38,8 @@ std::optional<QuadGeometry> placed(const QuadGeometry& quad, const Affine& map);
 Box3 bounds(const QuadGeometry& quad, const Affine& map = {});
 
 SurfacePoint surface_point(const QuadGeometry& quad, const Ray& ray, const Hit& hit);
-constexpr bool is_solid(const QuadGeometry&) {
-  return false;
+constexpr std::false_type is_solid(const QuadGeometry&) {
+  return {};
 }
 inline Parallelogram lamp_surface(const QuadGeometry& quad) {
   return parallelogram_around(quad.points, quad.normal);

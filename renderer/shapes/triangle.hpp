@@ -35,8 +35,8 @@ inline SurfacePoint surface_point(const TriangleGeometry& triangle, const Ray& r
   const Vec3 ab = triangle.points[1] - triangle.points[0], ac = triangle.points[2] - triangle.points[0];
   return flat_point(triangle.points[0], normalize(cross(ab, ac)), magnitude(ab) + magnitude(ac), ray, hit);
 }
-constexpr bool is_solid(const TriangleGeometry&) {
-  return false;
+constexpr std::false_type is_solid(const TriangleGeometry&) {
+  return {};
 }
 
 inline const TriangleGeometry& lamp_surface(const TriangleGeometry& triangle) {

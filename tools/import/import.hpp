@@ -3,6 +3,7 @@
 #include "lang/diagnostics/diagnostic.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ struct Format {
   Imported (*read)(std::string text, const std::string& name, const Options& options);
 };
 
+/// All of them.
+std::span<const Format> formats();
 /// The format of a file of that name; null where it is none of another program's.
 const Format* format_of(std::string_view path);
 

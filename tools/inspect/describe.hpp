@@ -234,7 +234,7 @@ private:
       using Shape = std::decay_t<decltype(shape)>;
       text("shape", Shape::noun);
       // Groups and combinations may be shared: they stand in lists of their own.
-      if constexpr (std::is_same_v<Shape, scene::Group> || std::is_same_v<Shape, scene::Combination>)
+      if constexpr (scene::is_composite<Shape>)
         number("index", o.shape.index);
       else
         fields(scene::fields(&shape), &shape);

@@ -36,7 +36,7 @@ _rtlang() {
     -o | --output | --report) COMPREPLY+=($(compgen -f -- "$word")) ;;
     --include-root) COMPREPLY+=($(compgen -d -- "$word")) ;;
     --diagnostics | --format | --bits | --mode | --allow) ;;
-    *) COMPREPLY+=($(compgen -f -- "$word" | grep -E '\.(rtl|png|exr|ppm|pgm|pfm)$') $(compgen -d -- "$word")) ;;
+    *) COMPREPLY+=($(compgen -f -- "$word" | grep -E '\.(rtl|rt|png|exr|ppm|pgm|pfm)$') $(compgen -d -- "$word")) ;;
   esac
 }
 

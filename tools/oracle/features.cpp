@@ -183,7 +183,7 @@ private:
 std::vector<std::string> feature_names() {
   std::vector<std::string> names;
   ShapeKinds::for_each([&]<class S>() {
-    if constexpr (!std::is_same_v<S, Group> && !std::is_same_v<S, Combination>) {
+    if constexpr (!is_composite<S>) {
       names.emplace_back(S::noun);
       add_field_names<S>(names, std::string(S::noun));
     }

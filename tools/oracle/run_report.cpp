@@ -11,8 +11,12 @@ constexpr double least_equal = 0.9999, least_precise = 0.999, most_refused = 0.0
 // What a run over shapes alone does not look at.
 std::vector<std::string> not_looked_at(Mode mode) {
   if (mode == Mode::color) return {"scene.size", "spot.shadows"};
-  return {"material", "pattern",     "checker",         "light",          "sun",      "spot", "sky", "fade",
-          "scene.",   "transparent", "two transparent", "several lights", "no shadow"};
+  std::vector<std::string> names{"material",    "pattern",         "light",          "fade",     "scene.",
+                                 "transparent", "two transparent", "several lights", "no shadow"};
+  const auto add = [&]<class T>() { names.emplace_back(T::noun); };
+  scene::LightKinds::for_each(add);
+  scene::PatternKinds::for_each(add);
+  return names;
 }
 
 double share(std::size_t part, std::size_t whole) {

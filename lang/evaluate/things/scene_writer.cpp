@@ -120,7 +120,7 @@ std::optional<scene::ShapeRef> SceneWriter::shared_shape(const Thing& thing) {
   Prototype made = filled(*thing.type, thing.properties);
   if (problem_of(made)) return std::nullopt; // said when it is placed, if it is
   thing.shape = add_shape(scene_.shapes, std::move(made));
-  evaluation_.has_leftovers = true;
+  evaluation_.may_have_unused = true;
   return thing.shape;
 }
 

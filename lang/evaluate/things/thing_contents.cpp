@@ -154,7 +154,7 @@ void ThingEvaluator::run_def(const Thing& thing, Content& content) {
 
 void ThingEvaluator::finish_content(Content& content, const NodeType& type, const Target& target, Span place) {
   using Operation = scene::Combination::Operation;
-  evaluation_.has_leftovers = true;
+  evaluation_.may_have_unused = true;
   content.depth = static_cast<std::uint16_t>(target.depth + 1);
   limits_.check_depth(content.depth, place);
   content.members.shrink_to_fit();

@@ -30,7 +30,7 @@ struct DirectLighting::Sight {
 };
 
 // The point of a shape that shines, and what is let by on the way there.
-struct DirectLighting::Arrival {
+struct DirectLighting::LampPoint {
   Surface surface;
   Color passed;
 };
@@ -105,8 +105,8 @@ DirectLighting::Sight DirectLighting::sight_from(const ScatteringPoint& at, cons
   return sight;
 }
 
-std::optional<DirectLighting::Arrival> DirectLighting::sight_of(std::uint32_t emitter, const EmitterSample& sample,
-                                                                const ScatteringPoint& at) {
+std::optional<DirectLighting::LampPoint> DirectLighting::sight_of(std::uint32_t emitter, const EmitterSample& sample,
+                                                                  const ScatteringPoint& at) {
   ++counts_.shadow;
   Sight sight = sight_from(at, sample.direction, sample.distance);
   for (int panes = 0; panes < most_panes; ++panes) {
@@ -114,8 +114,8 @@ std::optional<DirectLighting::Arrival> DirectLighting::sight_of(std::uint32_t em
     if (!met || lamps_.sized.ball_on(sight.walk.ray, met->length)) return std::nullopt;
     go_to(sight, met->length);
     if (std::abs(sight.distance) <= same_place * sample.distance && lamps_.emitters.find(met->hit) == emitter)
-      return Arrival{met->surface, sight.passed};
-    if (sight.distance < 0 || !pass(sight, met->surface)) return std::nullopt;
+      return LampPoint{met->surface, sight.passed};
+    if (sight.distance < 0 || !transmit_straight(sight, met->surface)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -132,7 +132,7 @@ std::optional<Color> DirectLighting::sight_of_lamp(std::uint32_t lamp, const Siz
     if (ball ? ball->index != lamp : !met && !std::isinf(way.distance)) return std::nullopt;
     go_to(sight, ball ? ball->distance : std::min(end, std::numeric_limits<double>::max()));
     if (ball || !met) return sight.passed;
-    if (!pass(sight, met->surface)) return std::nullopt;
+    if (!transmit_straight(sight, met->surface)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -143,7 +143,7 @@ void DirectLighting::go_to(Sight& sight, double length) const {
 }
 
 // What does not bend a ray lets it by; what does is for the path to find a way through.
-bool DirectLighting::pass(Sight& sight, const Surface& surface) {
+bool DirectLighting::transmit_straight(Sight& sight, const Surface& surface) {
   const MaterialValues& values = scene_.values(surface, values_);
   if (!(values.refract > 0)) return false;
   const ScatteringPoint pane = scattering_point(path_scene_, walker_, sight.walk, surface, values);

@@ -36,16 +36,16 @@ public:
 private:
   struct LampLight;
   struct Sight;
-  struct Arrival;
+  struct LampPoint;
 
   std::optional<LampLight> reached(const ScatteringPoint& at, const Light& lamp) const;
   Color unblocked(const ScatteringPoint& at, const Light& lamp, const LampLight& light);
   Color filtered(const ScatteringPoint& at, const LightSample& lamp);
   Sight sight_from(const ScatteringPoint& at, const Vec3& direction, double distance);
-  std::optional<Arrival> sight_of(std::uint32_t emitter, const EmitterSample& sample, const ScatteringPoint& at);
+  std::optional<LampPoint> sight_of(std::uint32_t emitter, const EmitterSample& sample, const ScatteringPoint& at);
   std::optional<Color> sight_of_lamp(std::uint32_t lamp, const SizedLamps::Direction& way, const ScatteringPoint& at);
   void go_to(Sight& sight, double length) const;
-  bool pass(Sight& sight, const Surface& surface);
+  bool transmit_straight(Sight& sight, const Surface& surface);
 
   const PathScene& path_scene_;
   const CompiledScene& scene_;

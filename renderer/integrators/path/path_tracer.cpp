@@ -60,7 +60,7 @@ void PathTracer::radiance(std::span<const Ray> rays, std::span<const SampleStrea
 Color PathTracer::follow(const Ray& ray, const RayHit& first, const SampleStream& stream,
                          const std::vector<Medium>& inside) {
   Path path{walker_.start(ray, inside), stream};
-  if (meet(path, first)) go_on(path);
+  if (intersect(path, first)) continue_path(path);
   return path.sum;
 }
 
@@ -73,18 +73,18 @@ Color PathTracer::irradiance(const Vec3& point, const Vec3& normal, const Sample
   const Surface surface{{point, normal, rounding_bound(64) * (magnitude(point) + 1)}, normal};
   const ScatteringPoint at{surface, Frame(normal), Bsdf(white_matte, no_tables, 1, {0, 0, 1}),
                            false,   &walker_,      path.walk};
-  if (scatter(path, at)) go_on(path);
+  if (scatter(path, at)) continue_path(path);
   return path.sum * std::numbers::pi;
 }
 
-void PathTracer::go_on(Path& path) {
+void PathTracer::continue_path(Path& path) {
   for (int crossings = 0; crossings < most_crossings && !is_stopped(); ++crossings)
-    if (!meet(path, walker_.nearest(path.walk))) return;
+    if (!intersect(path, walker_.nearest(path.walk))) return;
 }
 
 // False: the path ends there.
-bool PathTracer::meet(Path& path, const RayHit& hit) {
-  const auto met = walker_.meet(path.walk, hit);
+bool PathTracer::intersect(Path& path, const RayHit& hit) {
+  const auto met = walker_.intersect(path.walk, hit);
   if (add_lamp(path, met ? met->length : std::numeric_limits<double>::infinity())) return false;
   path.throughput *= walker_.left_after(path.walk, met ? met->length : std::numeric_limits<double>::max());
   if (!met) {
@@ -119,7 +119,7 @@ bool PathTracer::add_lamp(Path& path, double end) const {
   return false;
 }
 
-void PathTracer::add_emission(Path& path, const Color& emission, const Meeting& met) const {
+void PathTracer::add_emission(Path& path, const Color& emission, const Intersection& met) const {
   if (emission == black) return;
   double weight = 1;
   if (path.has_rival) {

@@ -33,10 +33,10 @@ private:
   struct Path;
 
   Color follow(const Ray& ray, const RayHit& first, const SampleStream& stream, const std::vector<Medium>& inside);
-  void go_on(Path& path);
-  bool meet(Path& path, const RayHit& hit);
+  void continue_path(Path& path);
+  bool intersect(Path& path, const RayHit& hit);
   bool add_lamp(Path& path, double end) const;
-  void add_emission(Path& path, const Color& emission, const Meeting& met) const;
+  void add_emission(Path& path, const Color& emission, const Intersection& met) const;
   bool scatter(Path& path, const ScatteringPoint& at);
   bool passes(Path& path, const ScatteringPoint& at);
   void go_straight(Path& path, const ScatteringPoint& at);

@@ -35,14 +35,14 @@ RayHit Walker::nearest(const Walk& walk) {
                                  : scene_.nearest(walk.ray, OwnRules::hit_range(), scratch_);
 }
 
-std::optional<Meeting> Walker::meet(Walk& walk, RayHit hit) {
+std::optional<Intersection> Walker::intersect(Walk& walk, RayHit hit) {
   const bool has_come = !walk.contact.is_inside();
   for (Interval rest = OwnRules::hit_range(); !walk.contact.is_inside();) {
     if (!hit) return std::nullopt;
     if (!hit.is_contested) [[likely]]
-      return Meeting{hit, hit.t, scene_.surface(walk.ray, hit)};
-    walk.contact = contacts_.meet(scene_, walk.ray, rest, hit, walk.inside, media_, 0, scratch_,
-                                  walk.meets_casting_only ? Touching::casting : Touching::all);
+      return Intersection{hit, hit.t, scene_.surface(walk.ray, hit)};
+    walk.contact = contacts_.intersect(scene_, walk.ray, rest, hit, walk.inside, media_, 0, scratch_,
+                                       walk.meets_casting_only ? Touching::casting : Touching::all);
     if (walk.contact.is_inside()) break;
     rest.lower = contacts_.end();
     hit = walk.meets_casting_only ? scene_.nearest_casting(walk.ray, rest, scratch_)
@@ -50,7 +50,7 @@ std::optional<Meeting> Walker::meet(Walk& walk, RayHit hit) {
   }
   const ContactSurface& met = contacts_.surface(walk.contact);
   if (walk.contact.count == 1) walk.contact = {};
-  return Meeting{met.hit, has_come ? met.hit.t : 0, met.surface};
+  return Intersection{met.hit, has_come ? met.hit.t : 0, met.surface};
 }
 
 Color Walker::left_after(const Walk& walk, double length) const {

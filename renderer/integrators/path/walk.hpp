@@ -19,7 +19,7 @@ struct Walk {
 };
 
 /// What a walk has met, after a length.
-struct Meeting {
+struct Intersection {
   RayHit hit;
   double length;
   Surface surface;
@@ -39,8 +39,8 @@ public:
   /// The nearest hit on the way: none among surfaces that touch.
   RayHit nearest(const Walk& walk);
   /// What the walk meets there; nothing where it meets nothing any more.
-  std::optional<Meeting> meet(Walk& walk, RayHit nearest);
-  std::optional<Meeting> next(Walk& walk) { return meet(walk, nearest(walk)); }
+  std::optional<Intersection> intersect(Walk& walk, RayHit nearest);
+  std::optional<Intersection> next(Walk& walk) { return intersect(walk, nearest(walk)); }
 
   /// What the medium leaves of light on a way of this length.
   Color left_after(const Walk& walk, double length) const;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 using namespace rt;
-using namespace rt::test;
+using namespace rt::tests;
 
 namespace {
 

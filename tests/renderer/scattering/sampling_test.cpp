@@ -6,7 +6,7 @@
 #include <utility>
 
 using namespace rt;
-using namespace rt::test;
+using namespace rt::tests;
 
 namespace {
 

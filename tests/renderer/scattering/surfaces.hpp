@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rt::test {
+namespace rt::tests {
 
 /// A material among others, and what it is looked at through: vacuum, or from inside of it.
 struct Surface {
@@ -140,4 +140,4 @@ inline Color furnace(const Bsdf& bsdf, int count) {
   return mean_of_samples(bsdf, count, [](const BsdfSample& sample) { return sample.weight; });
 }
 
-} // namespace rt::test
+} // namespace rt::tests

@@ -4,6 +4,8 @@
 #include "tests/support/shapes.hpp"
 
 #include <numbers>
+#include <set>
+#include <typeindex>
 
 using namespace rt;
 using namespace rt::tests;
@@ -84,6 +86,16 @@ constexpr bool is_flat =
     std::is_same_v<G, QuadGeometry> || std::is_same_v<G, PolygonGeometry>;
 
 } // namespace
+
+TEST_CASE("every shape: none is left out of what is tried here") {
+  Random random(0);
+  std::set<std::type_index> tried;
+  for_each_kind(random, 1, [&]<class G>(const G&) { tried.insert(typeid(G)); });
+  scene::ShapeKinds::for_each([&]<class S>() {
+    INFO(std::string(S::noun));
+    if constexpr (!scene::is_composite<S>) CHECK(tried.contains(typeid(geometry(S{}))));
+  });
+}
 
 TEST_CASE("every shape: its box contains its hits") {
   int count = 0;

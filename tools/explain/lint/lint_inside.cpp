@@ -109,7 +109,7 @@ const scene::Object& thing_of(const std::vector<const scene::Object*>& objects) 
 bool is_solid(const scene::Scene& scene, const std::vector<const scene::Object*>& objects) {
   for (const scene::Object* object : objects)
     if (object->shape.kind == scene::kind_of<scene::Combination>) return true;
-  return scene.shapes.visit(objects.back()->shape, []<class S>(const S& shape) {
+  return scene.shapes.visit(objects.back()->shape, []<class S>(const S& shape) -> bool {
     if constexpr (scene::is_composite<S> || std::is_same_v<S, scene::Plane>)
       return false;
     else

@@ -100,7 +100,7 @@ public:
   void refraction(const Color& tau, const MediumTransition& transition, double cosine, double cosine_behind) {
     if (!is_expanded()) return;
     SurfaceNode& s = last();
-    s.transition = PassageNode{tau, transition, cosine, cosine_behind, std::nullopt, nullptr};
+    s.transition = TransitionNode{tau, transition, cosine, cosine_behind, std::nullopt, nullptr};
     // Needed only if the ray goes on unbent.
     next_ = OwnRules::leave(s.surface, s.ray.direction);
     passed_.back() = s.passed * tau;

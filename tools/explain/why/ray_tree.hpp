@@ -42,7 +42,7 @@ struct MirrorNode {
 };
 
 /// The refracted branch.
-struct PassageNode {
+struct TransitionNode {
   Color tau;
   MediumTransition transition;
   double cosine = 0, cosine_behind = 0; ///< of the angles with the normal, before and behind the surface
@@ -78,7 +78,7 @@ struct SurfaceNode {
   Color ambient, emission;
   std::vector<LightNode> lights;
   std::optional<MirrorNode> mirror;
-  std::optional<PassageNode> transition;
+  std::optional<TransitionNode> transition;
   std::optional<TotalReflectionNode> total_reflection;
 
   /// Its own light and the lights'.

@@ -151,7 +151,7 @@ private:
     return j;
   }
 
-  json transition(const PassageNode& node) const {
+  json transition(const TransitionNode& node) const {
     json j{{"weight", to_json(node.tau)},
            {"passage", passage_json(node.transition)},
            {"angle", degrees(node.cosine)},

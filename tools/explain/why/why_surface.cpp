@@ -83,7 +83,7 @@ void write_combination(const Answer& answer, const SurfaceNode& s, const Combina
 std::string_view side_text(const Answer& answer, const SurfaceNode& s) {
   const bool is_front = dot(s.surface.normal, s.ray.direction) < 0;
   const scene::ShapeRef shape = objects_on(answer.scene, s.path).back()->shape;
-  const bool has_inside = answer.scene.shapes.visit(shape, []<class S>(const S& described) {
+  const bool has_inside = answer.scene.shapes.visit(shape, []<class S>(const S& described) -> bool {
     if constexpr (scene::is_composite<S>)
       return true;
     else
@@ -307,7 +307,7 @@ double sine(double cosine) {
 } // namespace
 
 void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
-  const PassageNode& p = *s.transition;
+  const TransitionNode& p = *s.transition;
   const double eta = p.transition.eta();
   const bool is_bent = std::abs(eta - 1) >= 1e-10;
   page.line(indent, fmt::format("{}: weight τ = refract·c{} = {}", passage_text(answer, s, p.transition),

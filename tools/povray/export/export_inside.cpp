@@ -89,7 +89,7 @@ bool holds_in_povray(const Scene& scene, const Object& object, const Map& placem
     }
   }
   return scene.shapes.visit(object.shape, [&]<class S>(const S& shape) {
-    if constexpr (std::is_same_v<S, Group> || std::is_same_v<S, Combination>)
+    if constexpr (is_composite<S>)
       return false; // not reached
     else
       return holds(shape, p);

@@ -17,11 +17,18 @@ struct ConvertArguments {
   std::string output;
 };
 
+std::string known_formats() {
+  std::string list;
+  for (const import::Format& format : import::formats())
+    list += fmt::format("{}{}'s end in {}", list.empty() ? "" : ", ", format.name, format.extension);
+  return list;
+}
+
 int convert(const ConvertArguments& arguments) {
   const SceneArguments& scene = *arguments.scene;
   const import::Format* const format = import::format_of(scene.path);
   if (!format)
-    throw UsageError(fmt::format("`{}` is of no format that can be converted: miniRT's end in .rt", scene.path));
+    throw UsageError(fmt::format("`{}` is of no format that can be converted: {}", scene.path, known_formats()));
   const import::Imported imported = format->read(read_text(scene), shown_name(scene), scene.import);
   if (!imported.diagnostics.empty() || scene.json_diagnostics) show(imported.diagnostics, imported.sources, scene);
   if (imported.has_errors()) return exit_scene_is_wrong;

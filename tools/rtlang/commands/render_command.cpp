@@ -160,7 +160,7 @@ std::vector<std::pair<std::string, std::string>> text_of(const scene::Scene& sce
   if (!is_exr) return {{"Software", software}, {"Scene-Hash", hash}};
   std::vector<std::pair<std::string, std::string>> text{{"software", software}, {"sceneHash", hash}};
   if (!scene.is_random()) return text;
-  text.emplace_back("mode", scene.is_path() ? "path" : "occlusion");
+  text.emplace_back("mode", name(*scene.mode));
   text.emplace_back("seed", fmt::format("{}", scene.seed.value_or(0)));
   text.emplace_back("samples", fmt::format("{}", scene::sample_count(scene)));
   if (sums)

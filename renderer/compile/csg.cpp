@@ -15,8 +15,8 @@ void sort(std::vector<Boundary>& list, std::size_t begin) {
   }
 }
 
-// Walks along the line past the surfaces in list[begin…], and keeps those where the number of solids that it is inside
-// of, `depth` at first, reaches `threshold` or falls below.
+// Sweeps along the line over the surfaces in list[begin…], and keeps those where the number of solids that contain the
+// point, `depth` at first, reaches `threshold` or falls below.
 void sweep(std::vector<Boundary>& list, std::size_t begin, std::size_t depth, std::size_t threshold) {
   std::size_t kept = begin;
   for (std::size_t i = begin; i < list.size();) {
@@ -59,7 +59,7 @@ void CsgSolid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scra
   const std::size_t begin = list.size(), count = node.children.size();
   const bool subtracts = node.operation == Operation::subtract;
 
-  // What cannot be outside of any of them begins with the first.
+  // If the line misses one of these, the result is empty.
   std::uint32_t looked_at = 0;
   if (node.operation != Operation::unite) {
     const std::uint32_t needed = subtracts ? 1 : static_cast<std::uint32_t>(count);
@@ -81,8 +81,8 @@ void CsgSolid::push_node(std::uint32_t index, const Ray& ray, TraceScratch& scra
     for (; looked_at < count; ++looked_at) push_child(node, looked_at, ray, scratch);
   }
   sort(list, begin);
-  // To be inside of a difference is to be inside of the first and of all the others' complements, which at the line's
-  // beginning surround it.
+  // To be inside a difference is to be inside the first operand and the complements of all the others, which contain
+  // the line's beginning.
   if (subtracts)
     sweep(list, begin, count - 1, count);
   else

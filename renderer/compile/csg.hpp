@@ -10,33 +10,33 @@
 
 namespace rt {
 
-/// Collects the boxes in the way of a whole line.
+/// Collects the boxes that a whole line crosses.
 struct LineQuery : bvh::Query {
   LineQuery(const Ray& r, std::vector<std::uint32_t>& f)
       : Query(r, {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}), found(f) {}
   std::vector<std::uint32_t>& found;
 };
 
-/// A combination of solids, made ready for tracing. Along a line each operand is a list of intervals, and so is what
-/// the operations make of them (Roth, Ray Casting for Modeling Solids, 1982); the ends of the intervals are the
-/// surface. Where operands' surfaces coincide, the one declared first is taken.
+/// A combination of solids, prepared for tracing. Along a line each operand is a list of intervals, and so is the
+/// result of each operation on them (Roth, Ray Casting for Modeling Solids, 1982); the ends of the intervals are the
+/// surface. Where operands' surfaces coincide, the one declared first wins.
 class CsgSolid {
 public:
   using Operation = scene::Combination::Operation;
 
-  /// A solid of the combination, with the surface that it brings along.
+  /// A solid of the combination, with its surface.
   struct Operand {
     SolidShape shape;
-    BindingId binding = inherited_binding; ///< asked about in the combination's space
+    BindingId binding = inherited_binding; ///< evaluated in the combination's space
     bool casts_shadow = true;
     std::uint32_t source = 0; ///< where it was written: see `path`
   };
 
-  /// The box around all there is of it, carried through `map`; empty or infinite maybe.
+  /// The bounding box of the whole, transformed by `map`; possibly empty or infinite.
   Box3 box(const Affine& map = {}) const { return box_of(0, map); }
 
-  /// Pushes the boundaries along the whole line on `scratch.boundaries`: from near to far, entering and leaving by
-  /// turns.
+  /// Pushes the boundaries along the whole line onto `scratch.boundaries`: front to back, alternately entering and
+  /// leaving.
   void push_boundaries(const Ray& ray, TraceScratch& scratch) const { push_node(0, ray, scratch); }
 
   bool contains(const Vec3& p) const { return node_contains(0, p); }
@@ -46,13 +46,13 @@ public:
 
   const Operand& operand(std::uint32_t i) const { return operands_[i]; }
   std::uint32_t operand_count() const { return static_cast<std::uint32_t>(operands_.size()); }
-  /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
+  /// The indices that lead from the combination to an operand: into its list, then its members', and so on.
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
 
-  /// Whose material the inside is of, if the combination itself writes none with an index of refraction: its leftmost
-  /// part that has one; the default material's if none has. A combination within this one counts by its own first.
+  /// The material of the interior, if the combination itself has none with an index of refraction: that of its leftmost
+  /// part that has one; else the default material. A nested combination's own material has priority over its parts'.
   BindingId medium(const MaterialBindings& bindings, BindingId inherited) const;
-  /// Whether any of its surfaces lets light in.
+  /// Whether any of its surfaces transmits light.
   bool is_medium(const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
@@ -65,7 +65,7 @@ private:
   };
   struct ChildBoxes {
     std::vector<Box3> boxes;
-    std::vector<std::uint32_t> children; // by their position in the node
+    std::vector<std::uint32_t> children; // by index in the node
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(boxes.size()); }
     Box3 bounds(std::uint32_t i) const { return boxes[i]; }
@@ -75,7 +75,7 @@ private:
       return false;
     }
   };
-  // Finds the children in a line's way, where there are many.
+  // Finds the children that a line may cross, where there are many.
   struct Index {
     ChildBoxes boxes;
     std::vector<std::uint32_t> others; // those without a finite box
@@ -84,9 +84,9 @@ private:
   struct Node {
     Operation operation = Operation::unite;
     std::vector<Child> children;
-    std::unique_ptr<Index> index; // of all children that need not be looked at: those of a union, those taken away
+    std::unique_ptr<Index> index; // of all children that may be skipped: those of a union, and subtracted ones
   };
-  // The parent's entry and the position in its list.
+  // The parent's entry and the index in its list.
   struct Source {
     std::uint32_t parent;
     std::uint32_t position;
@@ -102,17 +102,17 @@ private:
   std::vector<Operand> operands_;
   std::vector<Node> nodes_; // the first is the root
   std::vector<Source> sources_;
-  std::vector<BindingId> media_; // candidates for the medium's, the first one best
+  std::vector<BindingId> media_; // candidates for the medium's, in order of precedence
 };
 
-/// Makes the solid of a combination.
+/// Builds the solid of a combination.
 class CsgBuilder {
 public:
   /// All must outlive the builder.
   CsgBuilder(const scene::Scene& scene, const bvh::Device& device, MaterialBindings& bindings, HitRules rules)
       : scene_(scene), device_(device), bindings_(bindings), rules_(rules) {}
 
-  /// `map` leads from the combination's space to the one that the solid is to stand in.
+  /// `map` leads from the combination's space to the one that the solid is placed in.
   CsgSolid build(const scene::Combination& combination, const Affine& map);
 
 private:

@@ -10,7 +10,7 @@
 namespace rt::lang::errors {
 namespace {
 
-/// The arguments of a call as the properties that they were meant to be.
+/// The arguments of a call, rewritten as the properties that they were meant to be.
 std::string as_properties(CheckContext& context, const Ast& ast, NodeId call, const StaticType& callee) {
   const NodeList arguments = ast.call(call).arguments;
   std::string properties;

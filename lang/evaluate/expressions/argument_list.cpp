@@ -37,7 +37,7 @@ bool is_of(const Value& value, const SignatureParameter& parameter) {
   return parameter.takes(ArgumentType::color) && as_color(value).has_value();
 }
 
-/// "a number or a vector" of "number or vector".
+/// "a number or a vector" from "number or vector".
 std::string with_articles(std::string_view types) {
   std::string text;
   while (!types.empty()) {

@@ -16,9 +16,9 @@ struct Property;
 struct PropertyEntry {
   std::string_view name;
   std::string type;         ///< "number", "point list", …
-  std::string default_text; ///< empty where there is none
+  std::string default_text; ///< empty if there is none
   std::string help;
-  int form = 0; ///< properties of different forms (other than 0) exclude each other
+  int form = 0; ///< properties of different forms (other than 0) are mutually exclusive
 };
 
 /// A noun, a function, a chain method, a constant or a ready-made material.
@@ -37,18 +37,18 @@ std::span<const std::string_view> reference_sections();
 
 /// All entries, by section.
 std::vector<ReferenceEntry> reference();
-/// The entries named so (a name may be a noun and a property of others, but only one entry), or none.
+/// The entry of that name (it may be a noun and a property of others, but has only one entry), or none.
 std::optional<ReferenceEntry> find_entry(std::string_view name);
 
-/// A property of one thing: what it takes, its default, what it is.
+/// A property of one thing: what it takes, its default, what it means.
 std::string describe_property(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
-/// All properties of this name, each with the thing that it belongs to; empty where nothing has one.
+/// All properties of this name, each with the thing that it belongs to; empty if nothing has one.
 std::string describe_properties(std::string_view name);
 /// A word of the grammar, with an example; empty for any other word.
 std::string describe_keyword(std::string_view word);
-/// A section as Markdown: what stands between the `generated` marks of the reference. `section` must be one of them.
+/// A section as Markdown: what is between the `generated` marks of the reference. `section` must be one of them.
 std::string markdown(std::string_view section);
 
 } // namespace rt::lang

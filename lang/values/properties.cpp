@@ -41,7 +41,7 @@ std::optional<Diagnostic> mistake_of(const Property& property, const std::option
   return error({}, fmt::format("`{}` {}", property.name, violation->rule), violation->found, {});
 }
 
-/// Why a value is no vector of three numbers.
+/// Why a value is not a vector of three numbers.
 Diagnostic no_vector(const Property& property, const Value& value) {
   Diagnostic mistake = wrong_type(property, value);
   if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
@@ -96,7 +96,7 @@ std::optional<Diagnostic> check_color(const Property& property, const Value& val
   return mistake_of(property, check(property.constraint, *color));
 }
 
-/// Looks through a pattern, all the way down, for what a property that is a number would not take by itself.
+/// Searches a pattern recursively for what a numeric property would not itself accept.
 class PatternCheck {
 public:
   explicit PatternCheck(const Property& property) : property_(property) {}
@@ -132,7 +132,7 @@ private:
   std::set<const Thing*> seen_;
 };
 
-/// A pattern where there can be none.
+/// A pattern where none is allowed.
 Diagnostic must_be_constant(const Property& property, const Value& value) {
   Diagnostic mistake = wrong_type(property, value);
   mistake.notes.push_back({std::nullopt, fmt::format("{}: write one number", property.field->constant_because)});
@@ -236,7 +236,7 @@ std::string_view describe(const Property& property) {
 
 std::optional<Diagnostic> check_value(const Property& property, const Value& value) {
   if (value.is_poison()) return std::nullopt;
-  // What a pattern holds was checked as colours when it was made.
+  // The contents of a pattern were checked as colours when it was made.
   if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
   if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
   if (is_pattern(value) && property.field && !property.field->constant_because.empty())
@@ -292,7 +292,7 @@ std::optional<Value> to_value(const Property& property, const scene::FieldValue&
   if (const scene::Fade* fade = std::get_if<scene::Fade>(&value)) return from_fade(*fade);
   if (const scene::Resolution* size = std::get_if<scene::Resolution>(&value))
     return Value::point((*size)[0], (*size)[1]);
-  return std::nullopt; // a list of points, which has no value of its own; a default is never a pattern
+  return std::nullopt; // a list of points, which has no default; a default is never a pattern
 }
 
 } // namespace

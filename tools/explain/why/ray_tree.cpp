@@ -101,7 +101,7 @@ public:
     if (!is_expanded()) return;
     SurfaceNode& s = last();
     s.transition = PassageNode{tau, transition, cosine, cosine_behind, 0, nullptr};
-    // Needed only if the ray goes on unbent.
+    // Needed only if the ray continues unbent.
     next_ = OwnRules::leave(s.surface, s.ray.direction);
     passed_.back() = s.passed * tau;
   }
@@ -155,8 +155,8 @@ private:
   std::size_t surfaces_left_;
   std::vector<RayNode*> open_;
   std::vector<Color> passed_;                        // of the open rays that have a node
-  Ray next_;                                         // that meets the next surface
-  std::vector<std::vector<std::uint32_t>> touching_; // what is in the place of the next surface
+  Ray next_;                                         // that hits the next surface
+  std::vector<std::vector<std::uint32_t>> touching_; // the surfaces in the place of the next surface
   const Contacts* contacts_ = nullptr;
   Contacts::Position position_{};          // of the last surface, if it is one of several that touch
   std::optional<AbsorptionNode> absorbed_; // on the way there

@@ -4,13 +4,13 @@
 
 namespace rt::tools {
 
-/// Writes to standard output, all of it at once. Throws std::system_error.
+/// Writes all of it to standard output at once. Throws std::system_error.
 void print(std::string_view text);
 /// Writes to standard error; a failure is ignored: there is nowhere to report it.
 void print_error(std::string_view text) noexcept;
 
 bool error_is_terminal();
-/// Standard error is a terminal that knows colours and NO_COLOR is not set (see no-color.org).
+/// Standard error is a terminal with colours and NO_COLOR is not set (see no-color.org).
 bool error_takes_color();
 /// The same for standard output.
 bool output_takes_color();

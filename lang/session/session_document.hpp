@@ -88,7 +88,7 @@ private:
 class DocumentBuilder {
 public:
   void add(StatementRef statement);
-  /// A chunk of another document, as it is.
+  /// A chunk of another document, unchanged.
   void add(std::shared_ptr<const Document::Chunk> chunk);
   Document finish();
 

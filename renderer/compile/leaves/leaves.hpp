@@ -160,7 +160,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never: hits are on what is in it
+  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never called: hits are within
 
 private:
   std::vector<Instance> instances_;

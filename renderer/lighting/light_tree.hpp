@@ -21,7 +21,7 @@ struct LightBounds {
 /// The bounds of both.
 LightBounds united(const LightBounds& a, const LightBounds& b);
 
-/// A rough lower bound on the light that may reach a point, up to a factor: power·cos θ/d², θ being the least angle to
+/// A rough upper bound on the light that may reach a point, up to a factor: power·cos θ/d², θ being the least angle to
 /// a normal that the bounds allow, and d not smaller than the radius. Importances keep their ratios whatever the unit
 /// of length.
 double importance(const LightBounds& bounds, const Vec3& p);

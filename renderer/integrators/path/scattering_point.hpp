@@ -14,7 +14,7 @@ struct ScatteringPoint {
   Surface surface;
   Frame frame; ///< about the shading normal, facing the viewer
   Bsdf bsdf;
-  bool is_boundary;     ///< between two media
+  bool is_boundary;     ///< it bounds a medium
   const Walker* walker; ///< that arrived there
   Walk walk;
 

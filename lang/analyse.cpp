@@ -13,13 +13,13 @@
 namespace rt::lang {
 namespace {
 
-// Once the scene's params are known.
+// To be called once the scene's params are known.
 void report_unused_defines(Program& program, Report& report) {
   std::vector<std::string_view> params;
   for (const Symbol symbol : program.param_names) params.push_back(program.symbols.name(symbol));
   for (const Define& define : program.defines) {
     if (define.is_used) continue;
-    // As it was typed, with the name to point at.
+    // As typed, with the name to point at.
     const std::string_view name = program.symbols.name(define.name);
     const std::string value = program.sources.file(define.unit->ast.file).text;
     const FileId file = program.sources.add("command line", {}, fmt::format("-D {}={}", name, value));

@@ -11,7 +11,7 @@ namespace {
 
 void require_things(const scene::Scene& scene, const Unit& main, Report& report) {
   if (scene::count_primitives(scene) > 0) return;
-  // It may be there for its expectations alone.
+  // It may exist for its expectations alone.
   const auto expects = [](const Node& node) { return node.kind == Kind::expect; };
   if (std::ranges::any_of(main.ast.nodes, expects)) return;
   const auto binds = [&](NodeId item) { return main.ast.kind(item) == Kind::bind || main.ast.kind(item) == Kind::def; };

@@ -23,7 +23,7 @@ install_packages() {
   echo "Installing ${missing[*]} (what apt-get says goes to build/packages.log)"
   mkdir -p build
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -q)
-  # A list that cannot be fetched (some other repository of this machine) need not stop us: installing tells.
+  # A list that cannot be fetched (some other repository of this machine) is not fatal: the installation will tell.
   "${apt[@]}" update </dev/null &>build/packages.log ||
     echo "Some package lists could not be fetched: trying with those at hand." >&2
   if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null &>>build/packages.log; then
@@ -43,7 +43,7 @@ require_packages() {
 
 # build PRESET [cmake --build's further arguments]: builds what `cmake --preset` configured.
 build() {
-  # Paths relative to the repository, so that a fresh clone finds what another one compiled.
+  # Paths relative to the repository, so that a fresh clone hits what another one has cached.
   CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_DIR=${CCACHE_DIR:-${HOME:-$PWD/build}/.cache/ccache} \
     cmake --build --preset "$1" -j "$(nproc)" "${@:2}"
 }

@@ -21,14 +21,14 @@ std::span<const Builtin> fades();
 } // namespace builtins
 
 std::span<const BuiltinGroup> builtin_groups();
-/// What an `expect` may ask: functions that are known there only.
+/// What an `expect` may ask: functions that exist only there.
 std::span<const Builtin> questions();
 /// Index in `questions`.
 std::optional<std::size_t> find_question(std::string_view name);
 std::span<const Constant> constants();
 std::span<const ChainMethod> chain_methods();
 
-/// The rows of all groups, one after the other.
+/// The rows of all groups, in sequence.
 std::span<const Builtin* const> all_builtins();
 /// Index in `all_builtins`.
 std::optional<std::size_t> find_builtin(std::string_view name);

@@ -22,7 +22,7 @@ bool are_finite(BuiltinCall& c) {
   return true;
 }
 
-/// A vector given whole (argument 0) or by the named x, y, z (arguments 1 to 3), which are `otherwise` where left out.
+/// A vector given as a whole (argument 0) or by the named x, y, z (arguments 1 to 3), which default to `otherwise`.
 std::optional<Vec3> vector_or_parts(BuiltinCall& c, double otherwise) {
   if (!are_finite(c)) return std::nullopt;
   const bool has_parts = c.has(1) || c.has(2) || c.has(3);

@@ -14,24 +14,24 @@
 
 namespace rt::lang {
 
-/// What a ray meets first.
+/// What a ray hits first.
 struct Sighting {
-  double t = 0;                       ///< in lengths of the ray's direction
+  double t = 0;                       ///< in multiples of the ray's direction
   double distance = 0;                ///< Euclidean
-  Vec3 normal;                        ///< unit, geometric: out of the solid
+  Vec3 normal;                        ///< unit, geometric: pointing out of the solid
   std::vector<scene::Object> objects; ///< what was hit, outermost first; the last is the shape itself
-  std::string title;                  ///< how it is called in messages
+  std::string title;                  ///< its name in messages
 };
 
-/// Light that was found, with the standard error of an estimate and how many samples that took.
+/// The light found, with the standard error if it is an estimate, and the number of samples taken.
 struct LightAnswer {
   Color color;
   double error = 0;
   std::uint32_t samples = 0;
-  bool is_precise = true; ///< 4 standard errors are within the precision that was asked for
+  bool is_precise = true; ///< 4 standard errors are within the requested precision
 };
 
-/// Looks at one scene for the expectations in it. The language asks, and does not know who traces.
+/// Observes a scene for the expectations in it. The language asks, and does not know who traces.
 class Observer {
 public:
   virtual ~Observer() = default;
@@ -40,25 +40,25 @@ public:
   virtual std::optional<Sighting> nearest(const Ray& ray) const = 0;
   /// The t of all hits, in order.
   virtual std::vector<double> crossings(const Ray& ray) const = 0;
-  /// Whether light is estimated, by samples: then the following are as precise as is asked for, if they can be.
+  /// Whether light is estimated from samples: then the following are as precise as requested, if possible.
   virtual bool estimates() const = 0;
   /// The linear radiance of a pixel inside the picture, before it is rounded for the film.
   virtual LightAnswer pixel_color(int x, int y, double precision) const = 0;
-  /// The light that comes in along a ray, whatever the length of its direction.
+  /// The radiance along a ray; the length of its direction does not matter.
   virtual LightAnswer radiance(const Ray& ray, double precision) const = 0;
-  /// The light that falls on a point from the side that the normal, of whatever length, points to. Only where it is
+  /// The irradiance at a point on the side that the normal, of any length, points to. Only if light is
   /// estimated.
   virtual LightAnswer irradiance(const Vec3& point, const Vec3& normal, double precision) const = 0;
 };
 
-/// Makes an observer of a scene that outlives it.
+/// Makes an observer of a scene, which must outlive it.
 using ObserverMaker = std::function<std::unique_ptr<Observer>(const scene::Scene& scene)>;
 
-/// What became of the expectations of a scene.
+/// The outcome of a scene's expectations.
 struct Expectations {
   std::size_t passed = 0;
   std::size_t failed = 0;
-  std::vector<Diagnostic> failures; ///< one for each that failed, but for those with an error of their own
+  std::vector<Diagnostic> failures; ///< one for each that failed, except those with an error of their own
 };
 
 } // namespace rt::lang

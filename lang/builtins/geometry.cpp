@@ -21,13 +21,13 @@ Value component(BuiltinCall& c) {
 Value direction_angles(BuiltinCall& c) {
   if (!has_direction(c, 0)) return Value::poison();
   const Vec3& v = c.vector(0);
-  // As angles between vectors are found: exact near 0 and 180 degrees.
+  // In the same way as angles between vectors: accurate near 0 and 180 degrees.
   const auto angle = [](double along, double b, double d) { return atan2_degrees(std::hypot(b, d), along); };
   return Vec3{angle(v.x, v.y, v.z), angle(v.y, v.x, v.z), angle(v.z, v.x, v.y)};
 }
 
-// Snell's law in vectors: with i and n of length 1, c = -i·n and k = 1 - r² (1 - c²), the direction is r i + (r c - √k)
-// n; where k < 0 the reflection is total.
+// Snell's law in vector form: for unit vectors i and n, with c = -i·n and k = 1 - r² (1 - c²), the direction is r i +
+// (r c - √k) n; if k < 0 the reflection is total.
 Value refracted(BuiltinCall& c) {
   if (!have_equal_sizes(c) || !has_direction(c, 0) || !has_direction(c, 1)) return Value::poison();
   const double ratio = c.number(2);
@@ -60,7 +60,7 @@ Value distance_to_plane(BuiltinCall& c) {
   return std::abs(dot(normalize(normal->vector()), c.vector(0)) - offset->number());
 }
 
-// Along the common perpendicular; parallel lines have many, and the distance is that of a point from the other line.
+// Along the common perpendicular; for parallel lines it is the distance of a point from the other line.
 Value distance_between_lines(BuiltinCall& c) {
   if (!has_direction(c, 1) || !has_direction(c, 3)) return Value::poison();
   const Vec3 between = c.vector(2) - c.vector(0);
@@ -211,7 +211,7 @@ Value transposed(BuiltinCall& c) {
   return as_value(c, t);
 }
 
-/// Gaussian elimination with the largest pivot, on `m` and at the same time on `right`; gives the determinant. Where it
+/// Gaussian elimination with partial pivoting, on `m` and at the same time on `right`; returns the determinant. If that
 /// is not 0, `right` becomes m⁻¹ right.
 double eliminate(Matrix m, Matrix& right) {
   double determinant = 1;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_elements = std::size_t{1} << 32;
 
-/// The number of elements of a sequence argument; nothing where there is no room for them.
+/// The number of elements of a sequence argument; nothing if there is no room for them.
 std::optional<std::size_t> size_of(BuiltinCall& c, std::size_t i) {
   if (c[i].is(ValueKind::range)) {
     const double n = count(c[i].range(), c[i].excludes_end());
@@ -123,7 +123,7 @@ Value mapped(BuiltinCall& c) {
   return make_list(c.heap(), std::move(items));
 }
 
-/// What a function answers that is asked whether something holds; nothing after a mistake.
+/// The truth value returned by a function argument; nothing after an error.
 std::optional<bool> ask(BuiltinCall& c, const Value& element) {
   c.spend(1);
   const Value answer = c.call(c[0], {element});
@@ -157,7 +157,7 @@ Value folded(BuiltinCall& c) {
   return result;
 }
 
-/// any (`wanted` true) and all (false): functions with a list, or a list of truth values alone.
+/// any (`wanted` true) and all (false): a list with a function, or a list of truth values alone.
 template <bool wanted>
 Value quantified(BuiltinCall& c) {
   const bool has_function = c.has(1);
@@ -230,7 +230,7 @@ Value flattened(BuiltinCall& c) {
   return make_list(c.heap(), std::move(items));
 }
 
-/// What elements are sorted by: numbers, or strings.
+/// The order in which elements are sorted: of numbers, or of strings.
 bool comes_before(const Value& a, const Value& b) {
   return a.is_number() ? a.number() < b.number() : a.text() < b.text();
 }

@@ -8,7 +8,7 @@
 namespace rt::lang::builtins {
 namespace {
 
-/// `f` of a number, or of each number of a vector.
+/// `f` applied to a number, or to each component of a vector.
 template <auto f>
 Value each(BuiltinCall& c) {
   if (c[0].is_number()) return f(c.number(0));
@@ -39,7 +39,7 @@ Value tangent(BuiltinCall& c) {
   return tan_degrees(c.number(0));
 }
 
-/// Of the angle that has this sine or cosine.
+/// The angle with this sine or cosine.
 template <auto f>
 Value arc(BuiltinCall& c) {
   const double sine = as_sine(c.number(0));

@@ -8,7 +8,7 @@
 namespace rt::lang {
 namespace {
 
-/// The whole numbers of a pixel that lies in the picture.
+/// Whether the arguments are integers that name a pixel of the picture.
 bool is_pixel(BuiltinCall& c) {
   const scene::Resolution size = c.scene().size;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -82,7 +82,7 @@ Value normal(BuiltinCall& c) {
   return seen ? Value(seen->normal) : Value();
 }
 
-/// The light that `ask(observer, precision)` finds; grey is a number to compare with.
+/// The light returned by `ask(observer, precision)`; grey becomes a number, for comparison.
 template <class Ask>
 Value light(BuiltinCall& c, Ask&& ask) {
   const Observer* observer = c.observer();

@@ -9,7 +9,7 @@
 namespace rt::lang::builtins {
 namespace {
 
-/// A result of the same size as argument 0: plane vectors stay plane.
+/// A result of the same size as argument 0: 2D vectors stay 2D.
 Value like_first(BuiltinCall& c, const Vec3& v) {
   return c[0].vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
 }
@@ -30,7 +30,7 @@ Value distance_between(BuiltinCall& c) {
   return have_equal_sizes(c) ? Value(length(c.vector(1) - c.vector(0))) : Value::poison();
 }
 
-// atan2 of sine and cosine is exact where acos of the cosine alone loses half of the digits: near 0 and 180 degrees.
+// atan2 of sine and cosine is accurate where acos of the cosine alone loses half the digits: near 0 and 180 degrees.
 Value angle(BuiltinCall& c) {
   if (!have_equal_sizes(c) || !has_direction(c, 0) || !has_direction(c, 1)) return Value::poison();
   const Vec3 &a = c.vector(0), &b = c.vector(1);

@@ -12,11 +12,11 @@
 namespace rt::lang {
 namespace {
 
-/// A parameter of a function of either sort.
+/// A parameter of a built-in or user-defined function.
 struct CalledParameter {
   std::string_view name;
   bool is_required = true;
-  std::optional<Referent> target; ///< what an argument of its name refers to
+  std::optional<Referent> target; ///< what an argument with its name refers to
 };
 
 std::vector<CalledParameter> parameters_of(CheckContext& context, const FunctionInfo& function) {

@@ -6,11 +6,11 @@
 
 namespace rt::lang {
 
-/// Whether the arguments of the call fit the parameters of what it calls, as far as their number and names go.
+/// Checks the number and names of the call's arguments against the parameters of what it calls.
 void check_arguments(CheckContext& context, const Unit& unit, NodeId call, const StaticType& callee);
-/// A new entry of `Program::functions` for a def, fn or lambda, which its node then names.
+/// Adds an entry to `Program::functions` for a def, fn or lambda; its node then refers to it.
 FunctionInfo& add_function(CheckContext& context, Unit& unit, NodeId node);
-/// Whether an `expect` may say of the expression that it hits something.
+/// Whether an `expect` may claim that the expression hits something.
 bool is_ray_question(const CheckContext& context, const Unit& unit, NodeId node);
 
 } // namespace rt::lang

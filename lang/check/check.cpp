@@ -5,7 +5,7 @@
 namespace rt::lang {
 namespace {
 
-/// The pass for one file and those that it includes; a file that `use` names has one of its own.
+/// The pass over one file and those that it includes; a file named by `use` has a pass of its own.
 class FilePass {
 public:
   FilePass(Program& program, Files& files, Report& report, std::vector<std::string>& open_files,
@@ -45,7 +45,7 @@ void FilePass::check_library() {
   program.library_frame_size = scopes_.end_activation();
 }
 
-// The library's names stand around those of each file.
+// The library's names are in a scope around each file.
 void FilePass::declare_library() {
   scopes_.begin_activation();
   scopes_.open(nullptr, no_node, {});
@@ -91,7 +91,7 @@ void FilePass::check_module(ModuleInfo& module) {
   open_file(module.unit);
   items_.check_all(*module.unit, module.unit->ast.root);
   for (Binding& binding : scopes_.bindings(scopes_.innermost().first_binding)) {
-    ++binding.reads; // whoever uses the module may read it
+    ++binding.reads; // other files may read the module's names
     if (binding.meaning == Meaning::error) continue;
     const FunctionInfo* function =
         binding.meaning == Meaning::function ? &context_.program.functions[binding.slot] : nullptr;
@@ -102,7 +102,7 @@ void FilePass::check_module(ModuleInfo& module) {
   scopes_.close();
 }
 
-// Functions are visible throughout, so all of them are declared first; values from their statement on.
+// Functions are visible throughout, so all of them are declared first; values are visible from their statement on.
 void FilePass::check_session(std::span<TopItem> items, std::uint32_t& slots) {
   open_file(nullptr);
   scopes_.take_slots(slots);

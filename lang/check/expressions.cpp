@@ -22,7 +22,7 @@ void add_property_reference(References& references, Span span, Symbol property, 
     references.add(span, &thing.type->properties[*found]);
 }
 
-/// The words that a property of this name takes, of whatever thing: a record does not say what it describes.
+/// The words that properties of this name take, whatever the thing: a record does not say what it describes.
 std::span<const std::string_view> choices_of(const Program& program, Symbol property) {
   for (const NodeType& type : program.types.all())
     if (const auto found = type.find(property); found && !type.properties[*found].choices.empty())
@@ -54,7 +54,7 @@ StaticType ExpressionChecker::check(Unit& unit, NodeId node) {
   }
 }
 
-// Expressions of whose value nothing is known before it is computed.
+// Expressions about whose value nothing is known before it is computed.
 void ExpressionChecker::check_parts(Unit& unit, NodeId node) {
   const Ast& ast = unit.ast;
   switch (ast.kind(node)) {
@@ -157,7 +157,7 @@ StaticType ExpressionChecker::check_call(Unit& unit, NodeId node) {
   for (const NodeId argument : call.arguments)
     check(unit, ast.kind(argument) == Kind::argument ? ast.named(argument).value : argument);
   check_arguments(context_, unit, node, callee);
-  // A chain method gives the thing it was called on, with one step more.
+  // A chain method returns the thing it was called on, with one more step.
   if (ast.kind(call.callee) == Kind::member && callee.is_thing()) return callee;
   return {};
 }

@@ -6,7 +6,7 @@ namespace rt::lang {
 
 class ItemChecker;
 
-/// Checks expressions: what their names stand for, the arguments of their calls, what is copied with changes.
+/// Checks expressions: what their names refer to, the arguments of their calls, overrides.
 class ExpressionChecker {
 public:
   ExpressionChecker(CheckContext& context, Scopes& scopes, NameResolver& names, ItemChecker& items)

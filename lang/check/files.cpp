@@ -21,11 +21,11 @@ namespace {
 
 bool is_within(const fs::path& path, const fs::path& folder) {
   const auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  // A folder written with a slash at its end has an empty last part.
+  // A folder with a trailing slash has an empty last part.
   return in_folder == folder.end() || (std::next(in_folder) == folder.end() && in_folder->empty());
 }
 
-// The ending, which most files share, does not make names alike: `a.rtl` is no slip for `b.rtl`.
+// The extension, which most files share, does not make names similar: `a.rtl` is no typo for `b.rtl`.
 bool is_like(const std::string& name, const std::string& other) {
   const std::string stem = fs::path(name).stem().string(), other_stem = fs::path(other).stem().string();
   const std::string_view candidates[] = {other_stem};
@@ -77,8 +77,8 @@ Unit& Files::parse_expression_text(std::string name, std::string text) {
   return unit;
 }
 
-// `7 // 2`: a number or a name, at most one space, and a comment that is a number and nothing else, but for brackets
-// that were to close what it stands in.
+// `7 // 2`: a number or a name, at most one space, and a comment that is nothing but a number, except for brackets that
+// would close those around it.
 void Files::note_division_comments(FileId file) {
   const std::string_view text = program_.sources.file(file).text;
   for (std::size_t at = text.find("//"); at != std::string_view::npos; at = text.find("//", at + 2)) {
@@ -121,7 +121,7 @@ fs::path Files::find(std::string_view path, Span place) {
   return {};
 }
 
-// Relative to the scene's folder, as the scene itself names it.
+// Relative to the scene's folder, as the scene itself refers to it.
 std::string Files::display_name(const fs::path& path) const {
   return is_within(path, folder_) ? path.lexically_relative(folder_).string() : path.string();
 }
@@ -132,7 +132,7 @@ std::string Files::like_named(const fs::path& path, Span place) const {
   const std::string name = path.filename().string();
   std::vector<std::string> names;
   for (std::string& other_name : file_system_.files_in(folder)) {
-    // Neither what a link leads to outside nor the file that asks can be what was meant.
+    // Neither the target of a link that leads outside nor the requesting file can have been meant.
     const fs::path other = file_system_.canonical(folder / other_name);
     if (!is_allowed(other) || other == program_.sources.file(place.file).path) continue;
     if (is_like(name, other_name)) names.push_back(std::move(other_name));

@@ -10,7 +10,7 @@
 namespace rt::lang {
 namespace {
 
-/// Where the file stands; empty where it may not be read now, which is reported.
+/// The path of the file; empty if it may not be read now, which is reported.
 std::filesystem::path find_file(CheckContext& context, std::string_view path, Span place, std::string_view how) {
   std::filesystem::path found = context.files.find(path, place);
   if (found.empty()) return {};
@@ -19,7 +19,7 @@ std::filesystem::path find_file(CheckContext& context, std::string_view path, Sp
   return {};
 }
 
-/// Where the path stands in an `include` or `use`.
+/// The span of the path in an `include` or `use`.
 Span path_span(const CheckContext& context, Span item) {
   const std::string_view text = context.text(item);
   std::uint32_t at = 0;

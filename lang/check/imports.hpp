@@ -4,9 +4,9 @@
 
 namespace rt::lang {
 
-/// The file that an `include` names, parsed; null where it cannot be had, which is reported.
+/// The file named by an `include`, parsed; null if that fails, which is reported.
 Unit* read_included(CheckContext& context, Unit& unit, NodeId item);
-/// The file that a `use` names, checked (once, however often it is named); null where it cannot be had.
+/// The file named by a `use`, checked (once, however often it is named); null if that fails.
 const ModuleInfo* read_module(CheckContext& context, Unit& unit, NodeId item);
 
 } // namespace rt::lang

@@ -179,7 +179,7 @@ DeclarationId ItemChecker::declare(const Unit& unit, NodeId name, NodeId item, D
                                               scopes_.is_at_top_level() && what != Declaration::What::parameter});
 }
 
-// The name that a line in error was to declare is known, so that its uses are not reported as well.
+// The name that an erroneous line was to declare is known, so that its uses are not reported as well.
 void ItemChecker::declare_error(Unit& unit, NodeId item) {
   const Symbol symbol = unit.ast.error_name(item);
   Span span = unit.ast.span(item);
@@ -193,7 +193,7 @@ void ItemChecker::declare_error(Unit& unit, NodeId item) {
   binding.declaration = context_.program.references.declare({Declaration::What::unknown, symbol, span, &unit, item});
 }
 
-// What is known of the model is known of all; what is wrong with it is reported for each.
+// What is known about the model applies to all; what is wrong with it is reported for each.
 void ItemChecker::check_repeat(Unit& unit, const Repeat& repeat) {
   const std::pair<const Unit*, NodeId> model{&unit, repeat.model};
   if (repeat.is_first) {
@@ -311,7 +311,7 @@ void ItemChecker::check_for(Unit& unit, NodeId item) {
   if (has_frame) end_loop_frame(context_, scopes_, unit, item);
 }
 
-// What it says is asked once the scene is whole, so it cannot stand in what may run any number of times, or never.
+// It is evaluated once the scene is complete, so it cannot be in code that may run any number of times, or never.
 void ItemChecker::check_expect(Unit& unit, NodeId item) {
   const ExpectItem expect = unit.ast.expect_item(item);
   if (scopes_.owner().type != &context_.program.types.scene())

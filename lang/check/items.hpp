@@ -8,20 +8,20 @@
 
 namespace rt::lang {
 
-/// Checks what stands on the lines of a block: declarations, loops, properties, things.
+/// Checks the items of a block: declarations, loops, properties, things.
 class ItemChecker {
 public:
   ItemChecker(CheckContext& context, Scopes& scopes, NameResolver& names)
       : context_(context), scopes_(scopes), names_(names), expressions_(context, scopes, names, *this) {}
 
-  /// All items of a block, in the scope that is open.
+  /// All items of a block, in the current scope.
   void check_all(Unit& unit, NodeId block);
-  /// Declares what is known before its line is read: defs and fns, also those of an included file.
+  /// Declares what is visible before its line: defs and fns, including those of an included file.
   void hoist(Unit& unit, NodeId item);
   void check(Unit& unit, NodeId item);
-  /// A block that says what its owner is.
+  /// A block that describes its owner.
   void check_block(Unit& unit, NodeId block, const Owner& owner);
-  /// A block of bindings, then one expression. `what` is such a block: "a function".
+  /// A block of bindings, then one expression. `what` describes the block: "a function".
   void check_value_block(Unit& unit, NodeId block, std::string_view what);
   StaticType check_value(Unit& unit, NodeId node) { return expressions_.check(unit, node); }
   /// The parameters and the body of a function.

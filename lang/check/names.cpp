@@ -121,7 +121,7 @@ std::vector<std::string_view> NameResolver::visible_names() {
 
 namespace {
 
-/// Where in a block a name is bound, if it is.
+/// Where a name is bound in a block, if it is.
 std::optional<Span> bound_in(const Ast& ast, NodeId block, Symbol symbol) {
   if (block == no_node || ast.kind(block) != Kind::block) return std::nullopt;
   for (const NodeId item : ast.children(block)) {
@@ -149,7 +149,7 @@ std::optional<Span> bound_in_closed_block(const Ast& ast, std::uint32_t place, S
 
 } // namespace
 
-// A name that is bound in a later line, or gets its value from the line being read.
+// A name that is bound on a later line, or gets its value from the current one.
 bool NameResolver::report_early(const Unit& unit, NodeId node) {
   const Symbol symbol = unit.ast.symbol(node);
   const Span span = unit.ast.span(node);

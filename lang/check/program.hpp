@@ -14,7 +14,7 @@ namespace rt::lang {
 
 struct ModuleInfo;
 
-/// The tree of one text. A file that is included twice is two units: its names mean different things in each.
+/// The tree of one text. A file that is included twice is two units: its names may resolve differently in each.
 struct Unit {
   Ast ast;
   std::vector<std::pair<NodeId, Unit*>> includes;         ///< by the `include` node
@@ -51,7 +51,7 @@ struct FunctionInfo {
   std::uint32_t frame_size = 0;
   DeclarationId declaration = no_declaration;
   bool is_at_top_level = false;       ///< of its file
-  const ModuleInfo* module = nullptr; ///< the used file it stands in, null for the scene itself
+  const ModuleInfo* module = nullptr; ///< the used file that contains it, null for the scene itself
   mutable bool was_run = false;
 
   std::optional<std::size_t> find(Symbol parameter) const {
@@ -62,13 +62,13 @@ struct FunctionInfo {
   }
 };
 
-/// A file that `use` named.
+/// A file named by `use`.
 struct ModuleInfo {
   struct Export {
     Symbol name;
     std::uint32_t slot = 0;
     const FunctionInfo* function = nullptr; ///< a def or fn, else a value in `slot`
-    const NodeType* type = nullptr;         ///< of a thing, where it is known
+    const NodeType* type = nullptr;         ///< of a thing, if known
     DeclarationId declaration = no_declaration;
   };
   Unit* unit = nullptr;
@@ -84,7 +84,7 @@ struct ModuleInfo {
   }
 };
 
-/// A value of the command line, `-D name=text`, as an expression that sees no names but the built-in ones.
+/// A value from the command line, `-D name=text`, as an expression that sees only built-in names.
 struct Define {
   Symbol name;
   Unit* unit = nullptr;
@@ -97,7 +97,7 @@ struct Program {
   NodeTypes types;
   SymbolTable symbols;
   SourceMap sources;
-  std::deque<Unit> units; ///< a deque: references stay
+  std::deque<Unit> units; ///< a deque: references stay valid
   std::deque<FunctionInfo> functions;
   std::deque<ModuleInfo> modules;
   std::vector<Define> defines;
@@ -113,11 +113,11 @@ struct Program {
     DeclarationId declaration;
   };
   std::vector<LibraryName> library_names;
-  std::vector<Symbol> param_names; ///< of the main file and what it includes
+  std::vector<Symbol> param_names; ///< in the main file and what it includes
   References references;
 
   Program();
-  /// The last one counts.
+  /// The last one wins.
   const Define* find_define(Symbol name) const {
     const Define* found = nullptr;
     for (const Define& define : defines) {
@@ -127,7 +127,7 @@ struct Program {
   }
 };
 
-/// What check found a name to mean. In a name node: `Ast::slot` and, in `Node::extra`, the resolution in the upper four
+/// What check resolved a name to. In a name node: `Ast::slot` and, in `Node::extra`, the resolution in the upper four
 /// bits and in the lower twelve the number of frames outwards.
 enum class Resolution : std::uint16_t {
   none,     ///< in error, reported

@@ -11,12 +11,12 @@
 namespace rt::lang {
 namespace {
 
-/// The first property of each name in a block or record, as they are met.
+/// The first property of each name in a block or record, in order.
 class FirstOnes {
 public:
   FirstOnes(CheckContext& context, const Ast& ast) : context_(context), ast_(ast) {}
 
-  /// Whether it is the first of its name; reported where it is not.
+  /// Whether it is the first of its name; reported if it is not.
   bool add(NodeId item) {
     const Symbol symbol = ast_.named(item).symbol;
     const auto first = std::ranges::find(seen_, symbol, &std::pair<Symbol, NodeId>::first);
@@ -56,7 +56,7 @@ void check_property(CheckContext& context, Unit& unit, NodeId item, const Owner&
   context.program.references.add(span, &owner.type->properties[*found], Reference::Use::sets);
 }
 
-// Of the properties that stand in the block itself; what `if` and `for` put into it is seen when the program runs.
+// Only for properties directly in the block; those that `if` and `for` add are checked at run time.
 void check_duplicates(CheckContext& context, const Unit& unit, NodeId block, const Owner& owner) {
   if (!owner.type || owner.is_unknown) return;
   FirstOnes first_ones(context, unit.ast);

@@ -34,7 +34,7 @@ void References::set_known(DeclarationId declaration, const StaticType& known) {
   if (declaration != no_declaration) declarations_[static_cast<std::uint32_t>(declaration)].known = known;
 }
 
-// An item that stands for many is read again where it is in error.
+// An item that represents many is read again if it is in error.
 void References::finish() {
   std::ranges::stable_sort(references_, {}, place);
   const auto is_same = [](const Reference& a, const Reference& b) { return a.span == b.span; };

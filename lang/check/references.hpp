@@ -18,7 +18,7 @@ struct Unit;
 enum class DeclarationId : std::uint32_t {};
 inline constexpr DeclarationId no_declaration{0xffffffff};
 
-/// A name that a text declares.
+/// A name declared by a text.
 struct Declaration {
   enum class What : std::uint8_t {
     value, ///< bound with `=`
@@ -26,17 +26,17 @@ struct Declaration {
     fn,
     param,
     parameter, ///< of a def or fn
-    local,     ///< a loop's variable, or a parameter of a function without a name
+    local,     ///< a loop variable, or a parameter of an anonymous function
     module,    ///< `use … as name`
     unknown,   ///< its line is in error
   };
   What what = What::value;
   Symbol symbol = no_symbol;
   Span span;                  ///< of the name
-  const Unit* unit = nullptr; ///< null where it is a session's earlier statement
+  const Unit* unit = nullptr; ///< null for an earlier statement of a session
   NodeId item = no_node;      ///< the bind, param, def, fn, use, parameter or loop
   bool is_at_top_level = false;
-  DeclarationId inside = no_declaration; ///< in whose right side or body it stands
+  DeclarationId inside = no_declaration; ///< whose right side or body contains it
   StaticType known = {};                 ///< of its value
 };
 
@@ -46,14 +46,14 @@ struct Choice {
   friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// A name of CSS for a colour, 0xrrggbb.
+/// A CSS colour name, 0xrrggbb.
 struct ColorName {
   std::string_view word;
   std::uint32_t rgb = 0;
   friend bool operator==(const ColorName&, const ColorName&) = default;
 };
 
-/// What a name stands for.
+/// What a name refers to.
 using Referent = std::variant<DeclarationId, FileId, const NodeType*, const Property*, const Builtin*,
                               const SignatureParameter*, const ChainMethod*, const Constant*, ColorName, Choice>;
 
@@ -69,16 +69,16 @@ struct Reference {
   Span span;
   Referent referent;
   Use use = Use::reads;
-  DeclarationId inside = no_declaration; ///< in whose right side or body it stands
+  DeclarationId inside = no_declaration; ///< whose right side or body contains it
 };
 
-/// What each name of a program refers to. Filled by check where it is wanted: it costs time and memory.
+/// What each name of a program refers to. Filled by check only if requested: it costs time and memory.
 class References {
 public:
   void keep() { is_kept_ = true; }
   bool is_kept() const { return is_kept_; }
 
-  /// A name that stands in what is being read. `no_declaration` where references are not kept.
+  /// A name declared in what is being read. `no_declaration` if references are not kept.
   DeclarationId declare(Declaration declaration);
   /// What is read from now on, until `end`, is the right side or body of this declaration.
   void begin(DeclarationId declaration);
@@ -87,16 +87,16 @@ public:
   void add(Span span, Referent referent, Reference::Use use = Reference::Use::reads) {
     if (is_kept_) references_.push_back({span, referent, use, inside()});
   }
-  /// To be called once all is read, before anything is asked.
+  /// To be called after everything is read, before any query.
   void finish();
 
   std::span<const Declaration> declarations() const { return declarations_; }
   const Declaration& operator[](DeclarationId id) const { return declarations_[static_cast<std::uint32_t>(id)]; }
   /// All of them, by place.
   std::span<const Reference> all() const { return references_; }
-  /// The name that stands exactly there.
+  /// The name with exactly this span.
   const Reference* find(Span span) const;
-  /// The name that holds the place or ends there; the one that begins there comes first.
+  /// The name that contains the place or ends there; one that begins there has priority.
   const Reference* at(FileId file, std::uint32_t offset) const;
 
 private:

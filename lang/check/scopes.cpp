@@ -43,7 +43,7 @@ Binding& Scopes::declare(Symbol symbol, Span span, Meaning meaning) {
   const auto scope = static_cast<std::uint32_t>(scopes_.size());
   if (const Binding* first = find(symbol);
       first && first->scope == scope && meaning != Meaning::error && first->meaning != Meaning::error) {
-    // Functions and nouns are known before the lines of their block are read, so the first may stand behind.
+    // Functions and nouns are declared before the lines of their block are read: the first may come later in the text.
     const bool is_before = first->span.file == span.file && span.begin < first->span.begin;
     errors::name_bound_twice(context_, symbol, is_before ? span : first->span, is_before ? first->span : span);
   }
@@ -66,7 +66,7 @@ Binding& Scopes::declare(Unit& unit, NodeId node, Meaning meaning) {
   return binding;
 }
 
-// The nodes of an expression or block stand one after the other, the root last; the first is found along the way.
+// The nodes of an expression or block are contiguous, the root last; the first is found along the way.
 bool has_closure(const Ast& ast, NodeId node) {
   const std::uint32_t begin = ast[node].begin;
   for (auto i = static_cast<std::uint32_t>(node); i-- > 0;) {

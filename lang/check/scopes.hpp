@@ -8,18 +8,18 @@
 
 namespace rt::lang {
 
-/// What a visible name stands for. `error`: the line that declares it is in error, and nothing more is said.
+/// What a visible name refers to. `error`: the line that declares it is in error, and nothing more is reported.
 enum class Meaning : std::uint8_t { value, function, module, error };
 
-/// A name that is known where check stands.
+/// A name visible at the current point.
 struct Binding {
   Meaning meaning = Meaning::value;
   Symbol name;
   Span span;
-  std::uint32_t scope = 0;    ///< how many scopes were open, with its own
-  std::uint32_t level = 0;    ///< of the activation that holds it
+  std::uint32_t scope = 0;    ///< how many scopes were open, including its own
+  std::uint32_t level = 0;    ///< of the activation that contains it
   std::uint32_t slot = 0;     ///< or index of the function
-  std::uint32_t shadowed = 0; ///< position of the binding of the same name that it hides
+  std::uint32_t shadowed = 0; ///< index of the binding of the same name that it shadows
   std::uint32_t reads = 0;
   StaticType known;
   DeclarationId declaration = no_declaration;
@@ -34,14 +34,14 @@ struct Scope {
   Owner owner;
 };
 
-/// The scopes that are open where check stands, and the slots of the frames that their names will live in.
+/// The scopes open at the current point, and the slots of the frames that will hold their names.
 class Scopes {
 public:
   explicit Scopes(CheckContext& context) : context_(context) {}
 
   void open(const Unit* unit, NodeId block, const Owner& owner);
   void close();
-  /// The scope that is open now is the file's own.
+  /// The current scope is the file's own.
   void mark_top_level() { top_ = scopes_.size(); }
   bool is_at_top_level() const { return scopes_.size() == top_; }
   bool is_top_level(const Binding& binding) const { return binding.scope == top_; }
@@ -51,25 +51,25 @@ public:
   std::span<const Scope> all() const { return scopes_; }
   Scope& innermost() { return scopes_.back(); }
 
-  /// A frame of its own, as a call has; it ends with the number of its slots.
+  /// A new frame, as for a call; it ends with the number of its slots.
   void begin_activation() { activations_.push_back({}); }
   std::uint32_t end_activation();
-  /// So many slots of the frame are taken already.
+  /// This many slots of the frame are already taken.
   void take_slots(std::uint32_t count) { activations_.back().slots = count; }
   std::size_t activations() const { return activations_.size(); }
 
-  /// A name of the innermost scope, until it is closed. A second one of that name is reported.
+  /// Adds a name to the innermost scope, until it is closed. A duplicate is reported.
   Binding& declare(Symbol name, Span span, Meaning meaning);
-  /// The same for a name node, which learns its slot unless it is a function's.
+  /// The same for a name node, which receives its slot unless it is a function's.
   Binding& declare(Unit& unit, NodeId name, Meaning meaning);
-  /// What the name stands for, or null.
+  /// What the name refers to, or null.
   Binding* find(Symbol name);
   std::size_t frames_out(const Binding& binding) const { return activations_.size() - 1 - binding.level; }
-  /// All that are known, and from the innermost scope those from `first` on.
+  /// All that are visible, and from the innermost scope those from `first` on.
   std::span<Binding> bindings(std::size_t first = 0) { return std::span(bindings_).subspan(first); }
 
 private:
-  /// A call's worth of slots.
+  /// The slots of one frame.
   struct Activation {
     std::uint32_t slots = 0;
   };
@@ -80,12 +80,12 @@ private:
   std::vector<Scope> scopes_;
   std::vector<Binding> bindings_;
   std::vector<std::uint32_t> innermost_; // by symbol: the visible binding of that name
-  std::size_t top_ = 0;                  // number of scopes open where a file's own is the innermost
+  std::size_t top_ = 0;                  // number of open scopes when a file's own is the innermost
 };
 
-/// Whether a function stands in the node, which may outlive a turn of a loop.
+/// Whether the node contains a function, which may outlive a loop iteration.
 bool has_closure(const Ast& ast, NodeId node);
-/// Ends the activation of a loop's turns, and writes into the node how many slots one takes.
+/// Ends the activation of a loop body, and stores in the node how many slots an iteration takes.
 void end_loop_frame(CheckContext& context, Scopes& scopes, Unit& unit, NodeId loop);
 
 } // namespace rt::lang

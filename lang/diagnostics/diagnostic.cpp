@@ -12,11 +12,11 @@ namespace rt::lang {
 namespace {
 
 constexpr std::size_t tab_width = 4;
-constexpr std::size_t widest_line = 100; // what does not fit is clipped around the carets
+constexpr std::size_t widest_line = 100; // longer lines are clipped around the carets
 constexpr std::size_t most_before =
-    1'000; // characters of a line that are looked at before the carets, and twice that many after
+    1'000; // characters of a line that are examined before the carets, and twice as many after them
 
-// A message may quote the scene: what would steer the terminal is shown as a replacement character.
+// A message may quote the scene: terminal control characters become replacement characters.
 std::string harmless(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -27,14 +27,14 @@ std::string harmless(std::string_view text) {
   return out;
 }
 
-// A source line as a terminal shows it, with the stretch that the carets mark, in columns from 0.
+// A source line as a terminal shows it, with the range that the carets mark, in columns from 0.
 struct Excerpt {
   std::string text;
   std::size_t mark_begin = 0;
   std::size_t mark_end = 0;
 };
 
-// One character of a line as it is displayed.
+// One character of a line as displayed.
 struct ShownCharacter {
   std::string text;
   std::size_t column;
@@ -65,7 +65,7 @@ std::vector<ShownCharacter> cells(std::string_view line, std::size_t most) {
 
 // `begin` and `end` count characters of the line.
 Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
-  // A line may be a whole file long, of which a stretch about the carets is shown.
+  // A line may be as long as a file; only a part around the carets is shown.
   const std::size_t skipped = begin > most_before ? begin - most_before : 0;
   for (std::size_t i = 0; i < skipped && !line.empty(); ++i) line.remove_prefix(decode(line).bytes);
   begin -= skipped;
@@ -78,11 +78,11 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
   std::size_t from = 0, to = full_width;
   Excerpt out{"", column(begin), column(end)};
   if (full_width > widest_line) {
-    // Keep the start of the line if the mark is in view then; else put the mark's start at a third.
+    // Keep the start of the line if the mark is visible then; else put the start of the mark at a third.
     if (out.mark_end > widest_line) from = out.mark_begin - std::min(out.mark_begin, widest_line / 3);
     to = std::min(full_width, from + widest_line);
   }
-  std::size_t shift = 0; // columns that the displayed text is to the left of the source's
+  std::size_t shift = 0; // how many columns the displayed text is to the left of the source's
   for (const ShownCharacter& cell : all) {
     if (cell.column < from) continue;
     if (cell.column + cell.width > to) break;
@@ -147,7 +147,7 @@ private:
     return fmt::format("{}:{}:{}", harmless(sources_.file(span.file).name), at.line, at.column);
   }
 
-  // The width of the largest line number that is shown.
+  // The width of the largest line number shown.
   std::size_t gutter(const Diagnostic& diagnostic) const {
     std::uint32_t line = sources_.position(diagnostic.span.file, diagnostic.span.begin).line;
     for (const Note& note : diagnostic.notes) {
@@ -181,7 +181,7 @@ private:
     const Position end = sources_.position(span.file, span.end);
     const std::string_view line = sources_.line(span.file, begin.line);
     const std::size_t first = begin.column - 1;
-    const std::size_t last = end.line == begin.line ? end.column - 1 : line.size(); // beyond the end is its end
+    const std::size_t last = end.line == begin.line ? end.column - 1 : line.size(); // beyond the line: its end
     const Excerpt shown = excerpt(line, first, last);
     bar("");
     out_ += '\n';

@@ -12,7 +12,7 @@ namespace rt::lang {
 enum class Severity : std::uint8_t { note, warning, error };
 std::string_view spelling(Severity severity);
 
-/// A further place that belongs to a diagnostic, or a line of advice without a place.
+/// A related place of a diagnostic, or advice without a place.
 struct Note {
   std::optional<Span> span;
   std::string message;
@@ -32,20 +32,20 @@ struct Diagnostic {
 Diagnostic make_error(std::string_view code, Span place, std::string message, std::string label = {},
                       std::vector<Note> notes = {});
 
-/// As it is shown to people: the place, the line with carets, the notes. `use_color` adds terminal colours.
+/// As shown to users: the place, the line with carets, the notes. `use_color` adds terminal colours.
 std::string render(const Diagnostic& diagnostic, const SourceMap& sources, bool use_color);
 /// The place and the message on one line: "ball.rtl:3:1: 0.5".
 std::string render_line(const Diagnostic& diagnostic, const SourceMap& sources);
 /// As one JSON array, for machines.
 std::string render_json(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
 
-/// An entry of the registry of codes: one row of a table in `lang/codes/`.
+/// An entry of the registry of codes: one row of a table in `lang/diagnostics/codes/`.
 struct Code {
   std::string_view code;    ///< "E0204"
   std::string_view title;   ///< a few words, no full stop
   std::string_view meaning; ///< a paragraph or two: what is wrong, why it is a mistake, what to do
-  std::string_view example; ///< a scene that raises it; empty where no scene's text alone can
-  std::string_view mended;  ///< the same scene as it should be
+  std::string_view example; ///< a scene that triggers it; empty if no scene's text alone can
+  std::string_view mended;  ///< the same scene, corrected
 };
 /// All groups, in order.
 std::vector<Code> all_codes();

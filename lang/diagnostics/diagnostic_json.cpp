@@ -53,7 +53,7 @@ std::string render_json(const std::vector<Diagnostic>& diagnostics, const Source
     entry["included_from"] = inclusions(diagnostic.span.file, sources);
     out.push_back(std::move(entry));
   }
-  // A file that is no UTF-8 has its own diagnostic, and its bytes must not break the report of it.
+  // A file that is not valid UTF-8 has its own diagnostic, and its bytes must not break the report of it.
   return out.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

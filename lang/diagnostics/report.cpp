@@ -11,7 +11,7 @@
 namespace rt::lang {
 namespace {
 
-/// The words of an item one after the other: no blanks, comments and separators, and numbers with their sign.
+/// The words of an item in sequence: no blanks, comments and separators, and numbers with their sign.
 class Words {
 public:
   struct Word {
@@ -49,12 +49,12 @@ private:
 
   std::string_view text_;
   std::uint32_t at_, end_;
-  bool is_operand_ = false; // a `-` or `+` after it is no sign
+  bool is_operand_ = false; // a `-` or `+` after it is not a sign
 };
 
 } // namespace
 
-// The same words in the item; all of the item where it is put another way (in more brackets, say).
+// The same words in the item; the whole item if it is phrased differently (with more brackets, say).
 Span RepeatSpans::place(Span span) const {
   if (span.file != model_.file || span.begin < model_.begin || span.end > model_.end) return span;
   const std::string_view text = sources_.file(model_.file).text;

@@ -14,13 +14,13 @@ namespace rt::lang {
 
 class RepeatSpans;
 
-/// Collects what check and evaluation have to say: each mistake once for each place, however often a loop comes by.
+/// Collects the diagnostics of check and evaluation: each error once per place, however often a loop repeats it.
 class Report {
 public:
   static constexpr std::size_t most = 1'000;
 
-  /// The diagnostic to be filled in, valid until the next call; null where this code was reported here already, or
-  /// where there are too many.
+  /// The diagnostic to be filled in, valid until the next call; null if this code was already reported here, or if
+  /// there are too many.
   Diagnostic* add(Severity severity, std::string_view code, Span span);
   Diagnostic* error(std::string_view code, Span span) { return add(Severity::error, code, span); }
   /// The same, filled in.
@@ -29,29 +29,29 @@ public:
              std::vector<Note> notes = {}) {
     add(make_error(code, span, std::move(message), std::move(label), std::move(notes)));
   }
-  /// As `error`; what is said later about the same place follows from it and is left out.
+  /// As `error`; later errors about the same place are consequences and are dropped.
   void malformed(Diagnostic diagnostic);
-  /// From now on `remark` takes what the lint has to say; it is kept apart.
+  /// From now on `remark` takes the lint's warnings; they are kept separately.
   void want_remarks() { wants_remarks_ = true; }
   bool wants_remarks() const { return wants_remarks_; }
-  /// A warning of the lint's, to be filled in; null where it is not wanted, or was given here already. Of items that a
-  /// model stands for, only the first one's place is reported.
+  /// A lint warning to be filled in; null if not requested, or already given here. Of items that a model stands for,
+  /// only the first one's place is reported.
   Diagnostic* remark(std::string_view code, Span span);
   /// The same, filled in.
   void remark(std::string_view code, Span span, std::string message, std::string label, std::vector<Note> notes = {});
-  /// All remarks, in the order of their places in each file.
+  /// All remarks, by file and place.
   std::vector<Diagnostic> remarks() const;
 
-  /// Takes over the parser's diagnostics. What is said later about the same places follows from them and is left out.
+  /// Takes over the parser's diagnostics. Later errors about the same places are consequences and are dropped.
   void take(std::vector<Diagnostic> diagnostics);
 
   bool has_errors() const { return errors_ > 0; }
-  /// Also those that were not listed.
+  /// Including those that were not listed.
   std::size_t error_count() const { return errors_; }
   bool is_full() const { return diagnostics_.size() >= most; }
-  /// Where something is that is known by its place in a model: see RepeatSpans.
+  /// The real place of something given by its place in a model: see RepeatSpans.
   Span place(Span span) const;
-  /// All of them, in the order of their places in each file.
+  /// All of them, by file and place.
   std::vector<Diagnostic> diagnostics() const;
 
 private:
@@ -67,8 +67,8 @@ private:
   const RepeatSpans* stand_in_ = nullptr;
 };
 
-/// While it lives, a model stands in for items that differ from it in literals alone (Repeat): what is said about a
-/// place in the model is said about the same words of the item.
+/// During its lifetime a model stands in for items that differ from it only in literals (Repeat): diagnostics about a
+/// place in the model are reported for the same words of the item.
 class RepeatSpans {
 public:
   RepeatSpans(Report& report, const SourceMap& sources, Span model)

@@ -9,7 +9,7 @@
 namespace rt::lang {
 namespace {
 
-constexpr std::size_t stack_size = std::size_t{512} << 20; // of address space: memory is taken as it is used
+constexpr std::size_t stack_size = std::size_t{512} << 20; // of address space: memory is committed as it is used
 constexpr std::size_t reserve = std::size_t{6} << 20;      // for the deepest expression within the last call
 
 const char* stack_limit() {

@@ -15,7 +15,7 @@ constexpr std::size_t calls_shown_at_each_end = 3;
 } // namespace
 
 Value ErrorReporter::fail(Diagnostic error) {
-  // Where it is not sure that a line runs at all, only what is wrong whatever the values are counts.
+  // If a line may never run, only what is wrong regardless of values is reported.
   if (unsure_ > 0 && errors::depends_on_values(error)) return Value::poison();
   Diagnostic* d = report_.add(std::move(error));
   if (!d) return Value::poison();

@@ -11,7 +11,7 @@
 
 namespace rt::lang {
 
-/// Reports what goes wrong while a program runs, with the calls that led there.
+/// Reports run-time errors, with the call stack.
 class ErrorReporter {
   struct CallFrame {
     const FunctionInfo* function;
@@ -22,22 +22,22 @@ class ErrorReporter {
 public:
   ErrorReporter(Report& report, const SymbolTable& symbols) : report_(report), symbols_(symbols) {}
 
-  /// Reports an error, with the calls that led to it; poison, to be handed on.
+  /// Reports an error, with the call stack; returns poison, to be passed on.
   Value fail(Diagnostic error);
 
-  /// What `print` says, unless it may never run.
+  /// The output of `print`, unless it may never run.
   void print(std::string text, Span place);
-  /// What was printed since it was asked last, in order: notes.
+  /// What was printed since the last call, in order: notes.
   std::vector<Diagnostic> take_printed() { return std::exchange(printed_, {}); }
   std::size_t printed_count() const { return printed_.size(); }
 
   Report& report() { return report_; }
   std::string_view name(Symbol symbol) const { return symbols_.name(symbol); }
   bool is_in_call() const { return calls_ != nullptr; }
-  /// A condition is in error, so that what is read may never run: nothing is built.
+  /// A condition is in error, so that the current code may never run: nothing is built.
   bool is_unsure() const { return unsure_ > 0; }
 
-  /// While it lives, it is not sure that what is read runs at all.
+  /// During its lifetime it is uncertain whether the current code runs at all.
   class Unsure {
   public:
     explicit Unsure(ErrorReporter& reporter) : reporter_(reporter) { ++reporter_.unsure_; }
@@ -49,7 +49,7 @@ public:
     ErrorReporter& reporter_;
   };
 
-  /// While it lives, errors are in a call of this function from that place.
+  /// During its lifetime errors are in a call of this function from that place.
   class Call {
   public:
     Call(ErrorReporter& reporter, const FunctionInfo& function, Span place)

@@ -43,7 +43,7 @@ Evaluated Evaluator::run(const ObserverMaker* observe) {
     if (!report_.has_errors()) outcome = expectations_.run(expectation_list_.all());
     try_unused_functions();
   } catch (const LimitGuard::Ended&) {
-    // A limit was passed, or the evaluation was stopped from outside; either is reported.
+    // A limit was exceeded, or the evaluation was stopped from outside; either is reported.
   }
   expectations_.clear();
   expectation_list_.clear();
@@ -94,7 +94,7 @@ Value Evaluator::module_value(const Context& context, NodeId item) {
 
 namespace {
 
-/// Whether two values are of one sort: what the command line gives must be what the scene reckons with.
+/// Whether two values are of the same kind: a value from the command line must match what the scene expects.
 bool are_alike(const Value& a, const Value& b) {
   if (is_sequence(a) && is_sequence(b)) return true;
   if (a.is(ValueKind::thing) && b.is(ValueKind::thing)) return a.thing().type->category == b.thing().type->category;
@@ -171,7 +171,7 @@ bool Evaluator::set_scene_properties() {
   return false;
 }
 
-// What no line calls is run once with values that are not known, so that mistakes in it are found now and not later.
+// Code that nothing calls is run once with unknown values, so that errors in it are found now rather than later.
 void Evaluator::try_unused_functions() {
   const ErrorReporter::Unsure unsure(evaluation_.errors);
   for (std::size_t i = 0; i < program_.functions.size(); ++i)

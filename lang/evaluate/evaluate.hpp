@@ -19,10 +19,10 @@ struct Evaluated {
   std::vector<Diagnostic> printed; ///< by `print`, in order: notes
 };
 
-/// Runs a checked program: what it says becomes the scene, with a camera and a light where it has none. The scene is
-/// worth looking at only if the report has no error afterwards; parts that are in error are passed over, so that one
-/// run finds as many mistakes as there are. Expectations are tried where there is an observer, and passed over
-/// otherwise. Trees are changed by it (repeats become one another), and not restored.
+/// Runs a checked program: its result is the scene, with a default camera and light if it has none. The scene is valid
+/// only if the report has no errors afterwards; parts in error are skipped, so that one run finds as many errors as
+/// possible. Expectations are tested if there is an observer, and skipped otherwise. It modifies the trees (repeats
+/// become one another) and does not restore them.
 Evaluated evaluate(Program& program, Report& report, const Limits& limits, const std::atomic<bool>* stop,
                    const ObserverMaker& observe = {});
 

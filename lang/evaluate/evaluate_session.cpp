@@ -5,7 +5,7 @@
 namespace rt::lang {
 namespace {
 
-/// Whether a value is put into the scene when it stands on a line of its own; else a session prints it.
+/// Whether a value on a line of its own is added to the scene; else a session prints it.
 bool is_placed(const Value& value) {
   if (value.is(ValueKind::list)) return !value.items().empty() && std::ranges::all_of(value.items(), is_placed);
   if (!value.is(ValueKind::thing)) return value.is_poison();
@@ -26,7 +26,7 @@ void Evaluator::begin_session() {
   main_ = evaluation_.frames.keep(make_frame(evaluation_.heap, library_, 0));
 }
 
-// Slots are written once, so functions that were made in the frame before find in it all they may look for.
+// Slots are written once, so functions created earlier in the frame find everything they may look for in it.
 void Evaluator::begin_input(std::uint32_t slots, const char* stack_limit) {
   evaluation_.limits.restart(stack_limit);
   if (slots <= main_->size) return;
@@ -48,7 +48,7 @@ StatementResult Evaluator::run_statement(Unit& unit, std::span<const NodeId> nod
     run_nodes(unit, nodes, may_print, target, made);
     writer_.check_media(made.objects);
   } catch (const LimitGuard::Ended&) {
-    // A limit was passed, or the evaluation was stopped; either is reported.
+    // A limit was exceeded, or the evaluation was stopped; either is reported.
   }
   made.properties = std::move(scene_properties_.values);
   if (writer_.camera_place()) {

@@ -12,7 +12,7 @@
 
 namespace rt::lang {
 
-/// Where an expression is evaluated: its text and the names around it.
+/// Where an expression is evaluated: its text and the names in scope.
 struct Context {
   Unit* unit;
   Frame* frame;
@@ -36,7 +36,7 @@ struct Evaluation {
   bool may_have_unused = false;        ///< shapes may have been made that stand nowhere
 };
 
-/// Base of the parts: the names by which each knows what they share.
+/// Base class of the parts: names for what they share.
 class EvaluationPart {
 public:
   EvaluationPart(const EvaluationPart&) = delete;
@@ -49,7 +49,7 @@ protected:
   ~EvaluationPart() = default;
 
   Value fail(Diagnostic error) { return errors_.fail(std::move(error)); }
-  /// The same where the answer is whether something went well.
+  /// The same for functions that return whether something succeeded.
   bool refuse(Diagnostic error) { return fail(std::move(error)), false; }
   std::string_view name(Symbol symbol) const { return errors_.name(symbol); }
 
@@ -60,7 +60,7 @@ protected:
   LimitGuard& limits_;
 };
 
-/// A thing without a property, written at `place`.
+/// A thing without properties, written at `place`.
 inline Ref<Thing> make_thing(Heap& heap, const NodeType& type, Span place) {
   Ref<Thing> thing(heap.make<Thing>(0));
   thing->type = &type;

@@ -11,7 +11,7 @@
 
 namespace rt::lang {
 
-/// What one statement of a session made.
+/// The result of one statement of a session.
 struct StatementResult {
   std::vector<scene::Object> objects;
   std::vector<scene::Light> lights;
@@ -19,8 +19,8 @@ struct StatementResult {
   Span camera_place;
   std::optional<Span> sky_place;
   std::vector<PropertyValue> properties; ///< of the scene
-  std::optional<Value> printed;          ///< of an expression that is no thing
-  bool is_print = false;                 ///< that is `print(…)`, which has said all
+  std::optional<Value> printed;          ///< of an expression that is not a thing
+  bool is_print = false;                 ///< a call of `print(…)`, which has already produced its output
 };
 
 /// Runs a program's files, whole or statement by statement in a session.
@@ -31,21 +31,21 @@ public:
             const char* stack_limit);
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
-  /// With an observer the expectations are tried once the scene is whole.
+  /// With an observer the expectations are tested once the scene is complete.
   Evaluated run(const ObserverMaker* observe = nullptr);
 
   // Sessions (evaluate_session.cpp): statements are run one by one, and what they made stays in the scene's tables.
   void begin_session();
-  /// Functions that come from now on are those of the next input.
+  /// Functions added from now on are those of the next input.
   void begin_change() { tried_functions_ = program_.functions.size(); }
-  /// Before the statements of an input are run: the limits count from here. `slots` is how many the session's frame
-  /// must have.
+  /// Before the statements of an input are run: the limits count from here. `slots` is the number that the session's
+  /// frame must have.
   void begin_input(std::uint32_t slots, const char* stack_limit);
-  /// `may_print`: an expression that is no thing is no mistake.
+  /// `may_print`: an expression that is not a thing is no error.
   StatementResult run_statement(Unit& unit, std::span<const NodeId> nodes, bool may_print);
-  /// Finds mistakes in the input's functions that nothing has called.
+  /// Finds errors in the input's functions that nothing has called.
   void try_session_functions();
-  /// What was printed since it was asked last.
+  /// What was printed since the last call.
   std::vector<Diagnostic> take_printed() { return evaluation_.errors.take_printed(); }
   const Value& session_value(std::uint32_t slot) { return (*main_)[slot]; }
   scene::Scene& scene() { return scene_; }
@@ -85,7 +85,7 @@ private:
   Ref<Frame> library_, main_;
   std::vector<std::pair<const ModuleInfo*, Value>> modules_;
   PropertyBlock scene_properties_;
-  std::size_t tried_functions_ = 0; // in a session: so many of the program's
+  std::size_t tried_functions_ = 0; // in a session: how many of the program's
   ExpectationList expectation_list_;
   SceneWriter writer_;
   ExpressionEvaluator expressions_;

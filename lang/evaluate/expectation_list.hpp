@@ -6,7 +6,7 @@
 
 namespace rt::lang {
 
-/// An expectation that a run came by.
+/// An expectation encountered during a run.
 struct Expectation {
   struct LoopVariable {
     Span name;
@@ -15,20 +15,20 @@ struct Expectation {
   Unit* unit;
   NodeId node;
   Ref<Frame> frame;
-  std::vector<LoopVariable> turn; ///< of the loops it stands in, the outermost first
+  std::vector<LoopVariable> turn; ///< of the enclosing loops, outermost first
 };
 
-/// The expectations that a run comes by, to be tried once the scene is whole.
+/// The expectations encountered during a run, to be tested once the scene is complete.
 class ExpectationList {
 public:
-  /// Unless they are wanted, they are passed over.
+  /// Without this call they are skipped.
   void want() { is_wanted_ = true; }
   bool is_wanted() const { return is_wanted_; }
   void add(const Context& context, NodeId node);
   const std::vector<Expectation>& all() const { return all_; }
   void clear();
 
-  /// While it lives, expectations stand in this turn of a loop.
+  /// During its lifetime, expectations belong to this loop iteration.
   class Turn {
   public:
     Turn(ExpectationList& list, const Context& context, NodeId loop) : list_(list) {
@@ -51,7 +51,7 @@ private:
 
   bool is_wanted_ = false;
   std::vector<Expectation> all_;
-  std::vector<Loop> loops_; // the outermost first
+  std::vector<Loop> loops_; // outermost first
 };
 
 } // namespace rt::lang

@@ -11,7 +11,7 @@
 namespace rt::lang {
 namespace {
 
-constexpr double default_tolerance = 1e-9; // absolute, and again relative to what is expected
+constexpr double default_tolerance = 1e-9; // absolute, and also relative to the expected value
 
 double tolerance_for(std::optional<double> given, double expected) {
   return given ? *given : default_tolerance + default_tolerance * std::abs(expected);
@@ -21,7 +21,7 @@ bool are_near(double a, double b, std::optional<double> tolerance) {
   return a == b || std::abs(a - b) <= tolerance_for(tolerance, b);
 }
 
-/// Whether two values agree, number by number.
+/// Whether two values agree, component by component.
 bool are_near(const Value& found, const Value& expected, std::optional<double> tolerance) {
   if (found.is_number() && expected.is_number()) return are_near(found.number(), expected.number(), tolerance);
   if (found.is(ValueKind::color) || expected.is(ValueKind::color)) {
@@ -180,7 +180,7 @@ std::string ExpectationRunner::name_of(const Value& thing, NodeId node, const Co
   return fmt::format("`{}`", program_.sources.text(context.ast().span(node)));
 }
 
-// By its name where it has one: a copy that was placed bears it too, and so does what a composite holds. Else by its
+// By name if it has one: placed copies have it too, and so do the contents of a composite. Else by
 // shape.
 bool ExpectationRunner::is_seen(const Value& value, const Sighting& sighting) {
   if (is_alone(value)) { // whatever was hit is part of it
@@ -212,12 +212,12 @@ const Observer* ExpectationRunner::observer() {
   return observer_.get();
 }
 
-// Whether this is the thing that was asked about alone.
+// Whether this is the thing that was queried alone.
 bool ExpectationRunner::is_alone(const Value& thing) const {
   return thing.is(ValueKind::thing) && single_.thing.is(ValueKind::thing) && single_.thing.cell() == thing.cell();
 }
 
-// A scene of its own, because what is asked about need not stand in this one.
+// In a scene of its own, because what is queried need not be placed in this one.
 const Observer* ExpectationRunner::observer_of(const Value& value, Span place) {
   if (!value.is(ValueKind::thing) || !value.thing().type->is_shape()) {
     fail(errors::wrong_operand(place, "a ray is tested against a shape, a group or a solid",

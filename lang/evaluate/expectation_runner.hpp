@@ -10,7 +10,7 @@
 
 namespace rt::lang {
 
-/// Tries expectations: looks at the scene, or at a thing alone, through an observer.
+/// Tests expectations: observes the scene, or a thing alone, through an observer.
 class ExpectationRunner : private EvaluationPart {
 public:
   ExpectationRunner(Evaluation& evaluation, ExpressionEvaluator& expressions, BlockEvaluator& blocks,
@@ -18,16 +18,16 @@ public:
       : EvaluationPart(evaluation), scene_(evaluation.builder.scene), expressions_(expressions), blocks_(blocks),
         writer_(writer) {}
 
-  /// There must be an observer before anybody looks.
+  /// Must be called before the first observation.
   void use(const ObserverMaker& make_observer) { make_observer_ = &make_observer; }
   Expectations run(const std::vector<Expectation>& expectations);
-  /// Of the scene as it is when it is asked for first.
+  /// Of the scene as it is at the first call.
   const Observer* observer();
-  /// How near the expectation that is being tried wants to see two values, where it says so.
+  /// The tolerance of the expectation being tested, if it states one.
   std::optional<double> precision() const { return precision_; }
-  /// Of a thing alone, which need not stand in the scene; null after a mistake.
+  /// Of a thing alone, which need not be placed in the scene; null after an error.
   const Observer* observer_of(const Value& thing, Span place);
-  /// Lets go of observers and of what they look at.
+  /// Releases observers and what they observe.
   void clear();
 
 private:

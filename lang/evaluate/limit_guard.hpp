@@ -9,17 +9,16 @@
 
 namespace rt::lang {
 
-/// Keeps an evaluation within its limits: steps, objects, memory, and how deep calls and things are nested. What goes
-/// beyond is reported, and ends the evaluation by an exception.
+/// Keeps an evaluation within its limits: steps, objects, memory, and the nesting depth of calls and things. Exceeding
+/// one is reported, and ends the evaluation by an exception.
 class LimitGuard {
 public:
-  /// A limit is passed, or the evaluation was stopped from outside; either is reported.
+  /// A limit was exceeded, or the evaluation was stopped from outside; either is reported.
   struct Ended {};
-  /// Calls or things are nested too deep: only one item of a file is given up.
+  /// Calls or things are nested too deeply: only one item of a file is abandoned.
   struct TooDeep : Ended {};
 
-  /// The heap and the scene are those whose memory counts. `stack_limit` is the lowest address that the stack may
-  /// reach.
+  /// `heap` and `scene` are those whose memory counts. `stack_limit` is the lowest address that the stack may reach.
   LimitGuard(ErrorReporter& errors, const Limits& limits, const std::atomic<bool>* stop, const char* stack_limit,
              const Heap& heap, const scene::Scene& scene)
       : errors_(errors), limits_(limits), stop_(stop), stack_limit_(stack_limit), heap_(heap), scene_(scene) {}
@@ -31,7 +30,7 @@ public:
     if (steps_ >= next_look_) look(place);
   }
   std::uint64_t steps() const { return steps_; }
-  /// Spends `count` steps at once where there are not so many left, so that they need not be counted one by one.
+  /// Spends `count` steps at once if fewer are left, so that they need not be counted one by one.
   void spend_if_too_many(double count, Span place);
   void reserve(std::uint64_t bytes, Span place);
   void count_objects(std::size_t count, Span place);
@@ -39,7 +38,7 @@ public:
   /// Of a function that is being compiled: how many instructions it has.
   void check_length(std::size_t instructions, Span place);
 
-  /// While it lives, calls are nested one deeper.
+  /// During its lifetime, calls are nested one level deeper.
   class Call {
   public:
     Call(LimitGuard& guard, Span place) : guard_(guard) { guard_.enter_call(place); }

@@ -28,7 +28,7 @@ public:
     return std::move(out_);
   }
 
-  /// How wide an entry is on one line.
+  /// The width of an entry on a single line.
   static std::size_t width(FormatEntry& entry) {
     Writer flat;
     flat.pieces(entry, 0);
@@ -59,7 +59,7 @@ private:
     begin_line(indent);
   }
 
-  // Comments have no width: no line is broken because of one.
+  // Comments have no width: they never cause a line to be broken.
   void comment(std::string_view text) {
     measure();
     if (comment_ == none) comment_ = out_.size();
@@ -69,7 +69,7 @@ private:
     if (newline != none && newline >= line_) line_ = comment_ = newline + 1;
   }
 
-  // One entry a line, from the line's beginning on.
+  // One entry per line, starting at the beginning of the line.
   void items(Group& group, std::size_t indent) {
     const std::size_t outer_widest = widest_;
     layout::mark_commas(group.entries);
@@ -121,7 +121,7 @@ private:
   }
 
   // An entry with lines of its own: written as it is, and again with more line breaks for as long as it is too wide.
-  // Gives the place of its trailing comment.
+  // Returns the place of its trailing comment.
   std::size_t fitting(FormatEntry& entry, std::size_t indent) {
     const std::size_t outer_widest = std::exchange(widest_, 0);
     const std::size_t begin = out_.size(), line = line_;
@@ -139,7 +139,7 @@ private:
     return place;
   }
 
-  // The place before its space; `none` where there is none.
+  // The place before its space; `none` if there is none.
   std::size_t trailing_comment(const FormatEntry& entry) {
     if (entry.needs_comma) out_ += ',';
     if (entry.trailing_comment.empty()) return none;
@@ -205,7 +205,7 @@ private:
     out_ += '}';
   }
 
-  // In a list a line break separates as a comma does. Gives the place of a trailing comment.
+  // In a list a line break separates as a comma does. Returns the place of a trailing comment.
   std::size_t element(Group& group, std::size_t i, std::size_t indent) {
     FormatEntry& entry = group.entries[i];
     if (i > 0 && (group.bracket == '(' || !entry.begins_line)) out_ += ',';
@@ -230,7 +230,7 @@ private:
     return trailing_comment(entry);
   }
 
-  // As many elements a line as there is room for: at each writing, because what is around it may have moved it since.
+  // As many elements per line as fit: on every write, because its surroundings may have moved it since.
   void fill(Group& group, std::size_t indent) {
     if (std::any_of(group.entries.begin(), group.entries.end(), layout::has_line_break_within)) return; // broken by now
     std::size_t column = 0;
@@ -260,7 +260,7 @@ Formatted format(const SourceMap& sources, FileId file) {
   std::string formatted = Writer().file(tree);
   SourceMap rewritten;
   const Parsed after = parse(rewritten, rewritten.add("", "", formatted), symbols);
-  // Whatever the layout, a file never changes what it says.
+  // Whatever the layout, the meaning of a file must not change.
   const bool is_faithful = after.diagnostics.empty() && equal(before.ast, symbols, after.ast, symbols);
   return {is_faithful ? std::move(formatted) : text, {}};
 }

@@ -7,11 +7,11 @@
 
 namespace rt::lang {
 
-/// A scene's text in the house's layout: two spaces for each open bracket, one item a line where a block has several
-/// lines or would be longer than 100 columns, comments and single blank lines kept. It says what the text said (`equal`
-/// trees), and formatting it again changes nothing.
+/// A scene's text in the standard layout: two spaces per open bracket, one item per line if a block has several lines
+/// or would be longer than 100 columns, comments and single blank lines kept. Its meaning is unchanged (`equal` trees),
+/// and formatting is idempotent.
 struct Formatted {
-  std::string text;                    ///< the text as it was, if it has syntax errors
+  std::string text;                    ///< the original text if it has syntax errors
   std::vector<Diagnostic> diagnostics; ///< the syntax errors
 };
 Formatted format(const SourceMap& sources, FileId file);

@@ -25,7 +25,7 @@ bool is_tight(const Piece& piece) {
   return is_symbol(piece, ".") || is_symbol(piece, "..") || is_symbol(piece, "..<");
 }
 
-// `1. .. 2` and `+ +x` would say something else without the space.
+// Without the space, `1. .. 2` and `+ +x` would mean something else.
 bool would_join(std::string_view left, std::string_view right) {
   return (left.ends_with('.') && right.starts_with('.')) || (left == "+" && right == "+");
 }
@@ -34,7 +34,7 @@ bool is_for(const Piece& piece) {
   return piece.kind == TokenKind::name && piece.text == "for";
 }
 
-// Whether the piece stands where a value is wanted: behind an operator or a word that needs one, or first.
+// Whether a value is expected at the piece: after an operator or a word that needs one, or first.
 bool is_value_wanted(const std::vector<Piece>& pieces, std::size_t i) {
   while (i > 0 && is_comment(pieces[i - 1].kind)) --i;
   return i == 0 || pieces[i - 1].kind == TokenKind::symbol || is_keyword(pieces[i - 1]);
@@ -73,7 +73,7 @@ void settle(FormatEntry& entry) {
   }
 }
 
-// The ways to break a group; each says whether it has changed anything.
+// The ways to break a group; each returns whether it changed anything.
 
 bool break_block(Group& block) {
   return !std::exchange(block.is_broken, true);
@@ -142,7 +142,7 @@ void settle(Group& group) {
     return;
   }
   group.ends_on_new_line = group.ends_on_new_line || must_break;
-  // In other brackets a line break may have stood before a comma, where none is kept.
+  // In other brackets the line break may have been before a comma, where none is kept.
   group.is_broken = group.bracket == '{' && has_line_break(group);
   if (group.bracket == '[' && is_list_broken) {
     group.entries.front().begins_line = true;

@@ -25,7 +25,7 @@ std::vector<Token> tokens_of(std::string_view text) {
   return tokens;
 }
 
-// Whether a line that ends in the piece goes on on the next.
+// Whether a line that ends in the piece continues on the next.
 bool continues(const Piece& piece) {
   if (piece.group) return false;
   if (piece.kind == TokenKind::symbol) return true;
@@ -51,7 +51,7 @@ private:
   std::string_view said(std::size_t i) const { return text_of(text_, token(i)); }
   bool ends_line(std::size_t i) const { return token(i).kind == TokenKind::newline || token(i).kind == TokenKind::end; }
 
-  // Reads up to the closing bracket and over it.
+  // Reads up to and including the closing bracket.
   void fill(Group& group, bool is_file) {
     FormatEntry entry;
     for (bool is_first = true;; is_first = false) {
@@ -99,7 +99,7 @@ private:
     return false;
   }
 
-  // Comments between an argument and its comma go behind the comma.
+  // Comments between an argument and its comma move behind the comma.
   void pass_separator(Group& group, FormatEntry& entry) {
     std::vector<Piece> comments;
     while (group.bracket == '(' && !entry.pieces.empty() && is_comment(entry.pieces.back().kind)) {
@@ -111,7 +111,7 @@ private:
     ++at_;
   }
 
-  // `next` is the first token behind the newline.
+  // `next` is the first token after the newline.
   bool newline_separates(const Group& group, const FormatEntry& entry, std::size_t next) const {
     if (group.bracket == '(' || entry.pieces.empty()) return false;
     const auto last = std::find_if(entry.pieces.rbegin(), entry.pieces.rend(),
@@ -122,7 +122,7 @@ private:
     return group.bracket != '[' || !begins_clause(entry, said(next));
   }
 
-  // Whether the word goes on with the entry as a comprehension.
+  // Whether the word continues the entry as a comprehension.
   static bool begins_clause(const FormatEntry& entry, std::string_view word) {
     if (word == "for") return true;
     return word == "if" && std::any_of(entry.pieces.begin(), entry.pieces.end(), [](const Piece& piece) {
@@ -130,7 +130,7 @@ private:
            });
   }
 
-  // A comment behind an entry, behind the opening bracket, or on lines of its own; false for one among the tokens.
+  // A comment after an entry, after the opening bracket, or on lines of its own; false for one among the tokens.
   bool take_comment(Group& group, FormatEntry& entry, int newlines, bool is_behind_bracket) {
     if (group.bracket == '(' || !ends_line(at_ + 1)) return false;
     if (!entry.pieces.empty()) {
@@ -143,7 +143,7 @@ private:
     if (newlines == 0 && is_behind_bracket) {
       group.opening_comment = said(at_++);
     } else if (newlines == 0 && before != nullptr && before->trailing_comment.empty() && !before->is_comment) {
-      take_trailing_comment(*before); // there was a separator between
+      take_trailing_comment(*before); // there was a separator between them
     } else {
       take_piece(entry, newlines);
       entry.begins_line = true;

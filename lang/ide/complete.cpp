@@ -28,7 +28,7 @@ struct Open {
   bool holds_statements = false;
 };
 
-// Where the cursor stands, as far as the text before it shows.
+// The context of the cursor, as far as the text before it shows.
 struct Place {
   std::size_t begin = 0;     // of the word that is being typed
   std::string_view before;   // the token before that word; empty at the beginning of a line
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  // The token that the cursor touches: a word is what is being completed, the inside of a text takes no words.
+  // The token that the cursor touches: a word is what is being completed; inside strings and comments there are none.
   bool ends_place(const Token& token) {
     switch (token.kind) {
     case TokenKind::name:
@@ -128,7 +128,7 @@ private:
   Place place_;
 };
 
-// What there is to know about the names that a text declares.
+// What is known about the names that a text declares.
 struct DeclaredNames {
   std::vector<std::string> all;
   std::function<const NodeType*(std::string_view)> noun_of; // of a noun or a thing, also of the language's own
@@ -140,7 +140,7 @@ DeclaredNames names_of(const Session& session) {
           [&session](std::string_view name) { return session.properties_of(name); }};
 }
 
-// Those of a file, and of all that is included where it is, as far as the texts show what they are.
+// Those of a file and of all that it includes, as far as the texts show what they are.
 class ProgramNames {
 public:
   ProgramNames(const Program& program, FileId file) : program_(program) {
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  // What a bound name is a copy of in the end; any other name is itself.
+  // What a bound name is ultimately a copy of; any other name is itself.
   Symbol model_of(Symbol name) const {
     for (std::size_t steps = 0; steps <= values_.size(); ++steps) { // a name may be bound to itself, by mistake
       const auto bound = values_.find(name);
@@ -217,11 +217,11 @@ private:
   }
 
   const Program& program_;
-  std::map<Symbol, Place> values_;    // of bindings; no node where there is nothing to be seen of it
+  std::map<Symbol, Place> values_;    // of bindings; no node if nothing can be seen of the value
   std::map<Symbol, Place> functions_; // defs and fns
 };
 
-// How near a word is to what is being typed; the nearest are offered first.
+// How relevant a word is to what is being typed; the most relevant are offered first.
 enum class Nearness : std::uint8_t { place, thing, function };
 
 class Candidates {

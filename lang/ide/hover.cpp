@@ -19,7 +19,7 @@ std::string first_line(std::string_view text) {
   return fmt::format("{} …", line);
 }
 
-/// The comments that stand directly above an item, without their `//`, a line each.
+/// The comments directly above an item, without their `//`, a line each.
 std::string comments_above(const SourceMap& sources, Span item) {
   std::string comments;
   std::uint32_t line = sources.position(item.file, item.begin).line;

@@ -11,11 +11,11 @@ namespace rt::lang {
 /// What an editor shows about a name.
 struct Hover {
   Span span;        ///< of the name
-  std::string text; ///< its declaration and what is known of it, some lines
+  std::string text; ///< its declaration and what is known about it, a few lines
 };
 
-/// About the name at a place (in it, or directly behind it); nothing where none stands, or one that stands for nothing.
-/// The analysis must have kept its references.
+/// For the name at a place (in it, or directly after it); nothing if there is none, or it refers to nothing. The
+/// analysis must have kept its references.
 std::optional<Hover> hover(const Analysis& analysis, FileId file, std::uint32_t place);
 
 } // namespace rt::lang

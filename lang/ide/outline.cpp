@@ -33,7 +33,7 @@ bool is_listed(Declaration::What what) {
   return what != Declaration::What::parameter && what != Declaration::What::local && what != Declaration::What::unknown;
 }
 
-// Of the word that an item begins with; nothing where it begins otherwise.
+// The word that an item begins with; nothing if it begins otherwise.
 Span first_word(const SourceMap& sources, Span item) {
   const std::string_view text = sources.text(item);
   std::uint32_t length = 0;
@@ -74,7 +74,7 @@ private:
     return list;
   }
 
-  // What is no declaration.
+  // An item that is not a declaration.
   void add_item(const Ast& ast, NodeId item, std::vector<OutlineEntry>& list) const {
     const Kind kind = ast.kind(item);
     if (is_declaration(kind) || kind == Kind::expect) return;

@@ -93,7 +93,7 @@ ReferenceEntry entry(const NodeType& type) {
   return e;
 }
 
-// `name = material { … }` lines of the standard library.
+// The `name = material { … }` lines of the standard library.
 void add_library(std::vector<ReferenceEntry>& entries) {
   std::string_view rest = library_text();
   while (!rest.empty()) {
@@ -110,7 +110,7 @@ std::string signature_text(std::string_view before, std::string_view name, const
   return fmt::format("{}{}({})", before, name, signature.text());
 }
 
-// What separates the cells of a Markdown table must not stand in one.
+// The separator of Markdown table cells must not occur in one.
 std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -16,9 +16,9 @@ struct Property;
 struct PropertyEntry {
   std::string_view name;
   std::string type;         ///< "number", "point list", …
-  std::string default_text; ///< empty where there is none
+  std::string default_text; ///< empty if there is none
   std::string help;
-  int form = 0; ///< properties of different forms (other than 0) exclude each other
+  int form = 0; ///< properties of different forms (other than 0) are mutually exclusive
 };
 
 /// A noun, a function, a chain method, a constant or a ready-made material.
@@ -42,7 +42,7 @@ std::optional<ReferenceEntry> find_entry(std::string_view name);
 /// Every name that `describe_name` knows but the colours', in order.
 std::vector<std::string> reference_names();
 
-/// A property of one thing: what it takes, its default, what it is.
+/// A property of one thing: what it takes, its default, what it means.
 std::string describe_property(const Property& property);
 /// An entry as readable text.
 std::string describe(const ReferenceEntry& entry);
@@ -54,7 +54,7 @@ std::string describe_name(std::string_view name);
 std::string describe_properties(std::string_view name);
 /// A word of the grammar, with an example; empty for any other word.
 std::string describe_keyword(std::string_view word);
-/// A section as Markdown: what stands between the `generated` marks of the reference. `section` must be one of them.
+/// A section as Markdown: what is between the `generated` marks of the reference. `section` must be one of them.
 std::string markdown(std::string_view section);
 
 } // namespace rt::lang

@@ -4,7 +4,7 @@
 
 namespace rt::lang {
 
-/// The standard library: `library/materials.rtl`, compiled in. Its names stand around those of every scene.
+/// The standard library: `library/materials.rtl`, compiled in. Its names are in a scope around every scene.
 std::string_view library_text();
 inline constexpr std::string_view library_name = "standard library";
 

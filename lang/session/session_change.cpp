@@ -104,7 +104,7 @@ std::vector<SessionChange::Draft> SessionChange::parse(std::string text, const T
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const NodeId node = i < items.size() ? items[i] : no_node;
     const TextOrigin place{origin.name, origin.path, origin.line + texts[i].line - 1};
-    // Things that were folded into repeats of one another are one statement.
+    // Things that were folded into repeats are a single statement.
     const bool continues = node != no_node && unit.ast.kind(node) == Kind::repeat && !drafts.empty() &&
                            drafts.back()->nodes.front() == unit.ast.repeat(node).model;
     if (continues) {
@@ -122,7 +122,7 @@ std::vector<SessionChange::Draft> SessionChange::parse_file(std::string text, co
   return parse(std::move(text), origin, false);
 }
 
-// The lines above it are made up, so that its own have their numbers.
+// The lines above it are padding, so that its own have the right numbers.
 SessionChange::Draft SessionChange::parse_again(const Statement& old, std::string text) {
   const std::string lines(old.origin.line - 1, '\n');
   Unit& unit = add_unit(lines + text, old.origin, true, false);
@@ -211,7 +211,7 @@ std::vector<Symbol> SessionChange::mentioned(const Statement& statement) const {
   return symbols;
 }
 
-// What the new statement needs must stand before it; where that came later than the old one, it moves there.
+// What the new statement needs must precede it; if that came later than the old one, it moves there.
 void SessionChange::replace(std::size_t at, Draft draft) {
   const Statement& old = entries_[at].get();
   draft->id = old.id;
@@ -285,7 +285,7 @@ void SessionChange::mark_changed(const Statement& statement, std::size_t positio
   for (const TopName& name : statement.names) mark(name.name, name.meaning == Meaning::function);
 }
 
-// Names that it took from other statements, and those that would mean something else from now on.
+// Whether it uses changed names of other statements, or names that would now mean something else.
 bool SessionChange::is_affected(const Statement& statement, std::size_t position) const {
   const auto is_changed = [&](Symbol name, bool was_global) {
     const auto found = changed_.find(static_cast<std::uint32_t>(name));
@@ -308,7 +308,7 @@ void SessionChange::renew_dependents() {
       const Statement& done = **entry.done;
       if (!is_affected(done, i)) continue;
       entry.fresh = redraft(done);
-      if (!entry.fresh) return; // cannot be: it was read before
+      if (!entry.fresh) return; // impossible: it was read before
       mark_changed(done, i);
       renewed_.push_back(shortened(done.text));
       goes_on = true;

@@ -13,13 +13,13 @@
 
 namespace rt::lang {
 
-/// What all states of a session share. Everything in it only grows.
+/// What all states of a session share. All of it only grows.
 struct SessionCore {
   explicit SessionCore(std::string folder, LoadOptions load_options);
 
   LoadOptions options;
   Program program;
-  Report report; ///< of the input at hand
+  Report report; ///< for the current input
   Files files;
   Evaluator evaluator;
   std::uint32_t slots = 0; ///< of the session's frame that are taken
@@ -27,28 +27,28 @@ struct SessionCore {
   SessionCounters counters;
 };
 
-/// A change of a document on its way: statements are put in, replaced and taken out; then `finish` evaluates what that
-/// makes necessary. The document it began with stays as it is.
+/// A change of a document in progress: statements are inserted, replaced and removed; then `finish` evaluates whatever
+/// that requires. The original document is not modified.
 class SessionChange {
 public:
   using Draft = std::shared_ptr<Statement>;
 
   SessionChange(SessionCore& core, const Document& document);
 
-  /// Reads statements; what is wrong with them is in the report.
+  /// Parses statements; errors are in the report.
   std::vector<Draft> parse(std::string text, const TextOrigin& origin, bool is_typed);
-  /// The text of a whole file, whose statements may stand for many things each.
+  /// The text of a whole file, in which a statement may represent many things.
   std::vector<Draft> parse_file(std::string text, const TextOrigin& origin);
-  /// A statement again, with another text. Nothing where that is no statement, which is reported.
+  /// A statement again, with a different text. Nothing if that is not a statement, which is reported.
   Draft parse_again(const Statement& old, std::string text);
 
   void append(Draft draft);
   /// Appends it, or replaces what declares the same name or sets the same property.
   void place(Draft draft);
-  /// The same, and what came of it will be among the changes.
+  /// The same, and its outcome will be listed among the changes.
   void place_and_tell(Draft draft);
   void replace(std::size_t at, Draft draft);
-  /// A statement that stands for many items becomes one for each; the others are left alone.
+  /// Splits a statement that represents many items into one for each; other statements are left alone.
   void split(std::size_t at);
   void erase(std::size_t at);
   void clear();
@@ -57,10 +57,10 @@ public:
   const Statement& operator[](std::size_t i) const { return entries_[i].get(); }
   std::optional<std::size_t> find(Symbol name) const;
   std::optional<std::size_t> find_id(std::uint64_t id) const;
-  /// The statements that use a name of this one.
+  /// The statements that use a name declared by this one.
   std::vector<std::size_t> users(std::size_t at) const;
 
-  /// Checks and evaluates; the new document, unless there is an error in the report.
+  /// Checks and evaluates; returns the new document, unless there is an error in the report.
   std::optional<Document> finish();
 
   std::vector<std::string> changes;
@@ -68,8 +68,8 @@ public:
 
 private:
   struct Entry {
-    const StatementRef* done = nullptr; // in the document that the change began with
-    Draft fresh;                        // set: `done` is out of date
+    const StatementRef* done = nullptr; // in the original document
+    Draft fresh;                        // if set, `done` is out of date
     std::uint32_t chunk = 0;            // of that document
     std::uint8_t done_traits = 0;
     const Statement& get() const { return fresh ? *fresh : **done; }
@@ -84,7 +84,7 @@ private:
   std::size_t place_in_chunk(const Entry& entry) const {
     return static_cast<std::size_t>(entry.done - chunk_of(entry).statements.data());
   }
-  // Sets of symbols that may seem to hold more than they do.
+  // Bloom filters of symbols: false positives are possible.
   std::uint64_t declared_bits(const Entry& entry) const;
   std::uint64_t used_bits(const Entry& entry) const;
 
@@ -114,7 +114,7 @@ private:
   Document old_;
   std::vector<Entry> entries_;
   std::unordered_map<std::uint32_t, ChangedName> changed_; // by symbol
-  std::uint64_t changed_bits_ = 0;                         // its keys, as a set that may seem to hold more
+  std::uint64_t changed_bits_ = 0;                         // its keys, as a Bloom filter
   // For the messages:
   struct Told {
     std::uint64_t id; // of the statement

@@ -10,10 +10,10 @@
 
 namespace rt::lang {
 
-/// What every change of a document asks about its statements.
+/// What every change of a document needs to know about its statements.
 enum Trait : std::uint8_t {
   trait_declares = 1,
-  trait_sets_property = 2, ///< of the scene, by itself
+  trait_sets_property = 2, ///< of the scene, on its own
   trait_objects = 4,
   trait_lights = 8,
   trait_camera = 16,
@@ -22,13 +22,13 @@ enum Trait : std::uint8_t {
 };
 std::uint8_t traits_of(const Statement& statement);
 
-/// Stands for a symbol in a set of symbols that may seem to hold more than it does.
+/// The bit of a symbol in a Bloom filter of symbols.
 constexpr std::uint64_t symbol_bit(Symbol symbol) {
   return std::uint64_t{1} << (static_cast<std::uint32_t>(symbol) % 64);
 }
 
-/// A session's statements in order. Documents that differ little share most of their chunks, so that a further version
-/// of a long one costs little; and what is asked on every change stands in a row, apart from the statements.
+/// A session's statements in order. Similar documents share most of their chunks, so that another version of a long one
+/// costs little; and what every change needs is stored contiguously, apart from the statements.
 class Document {
 public:
   struct Chunk {
@@ -36,7 +36,7 @@ public:
     // Of each statement:
     std::vector<std::uint8_t> traits;
     std::vector<std::uint64_t> stamps;
-    std::vector<std::uint64_t> names, uses; ///< sets of symbols: what it declares; what it takes from elsewhere
+    std::vector<std::uint64_t> names, uses; ///< Bloom filters of symbols: what it declares; what it uses from elsewhere
     // Of all of them:
     std::uint8_t all_traits = 0;
     Box3 finite_box;
@@ -76,7 +76,7 @@ public:
   bool empty() const { return chunks_.empty(); }
   std::size_t size() const;
   const Chunks& chunks() const { return chunks_; }
-  /// The same statements.
+  /// Whether they have the same statements.
   friend bool operator==(const Document& a, const Document& b);
 
 private:
@@ -84,15 +84,15 @@ private:
   Chunks chunks_; // none is empty
 };
 
-/// Puts a document together.
+/// Assembles a document.
 class DocumentBuilder {
 public:
   void add(StatementRef statement);
-  /// A chunk of another document, as it is.
+  /// A chunk of another document, unchanged.
   void add(std::shared_ptr<const Document::Chunk> chunk);
   Document finish();
 
-  /// Smaller ones are better added statement by statement: they would get ever more.
+  /// Smaller ones are better added statement by statement: they would multiply.
   static constexpr std::size_t least_worth_sharing = 128;
 
 private:

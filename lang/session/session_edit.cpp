@@ -6,7 +6,7 @@
 
 #include <utility>
 
-// Changes by name or number, of statements that stand in the document.
+// Changes by name or number to statements of the document.
 namespace rt::lang {
 namespace {
 
@@ -18,7 +18,7 @@ SessionResult failed(std::string problem, std::vector<std::string> advice = {}) 
   return result;
 }
 
-// Where that which was found stands by itself.
+// Splits off what was found as a statement of its own.
 std::size_t single_out(SessionChange& change, const Search& search) {
   change.split(*search.found);
   return *search.found + search.item;

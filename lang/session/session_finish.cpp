@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-// The end of a change: what is fresh is checked and evaluated, and a new document put together.
+// The end of a change: fresh statements are checked and evaluated, and a new document is assembled.
 namespace rt::lang {
 std::optional<Document> SessionChange::finish() {
   if (core_.report.has_errors()) return std::nullopt;
@@ -42,7 +42,7 @@ void SessionChange::report_dependents() {
   if (renewed_.size() > most) changes.push_back(fmt::format("and {} more", renewed_.size() - most));
 }
 
-// Chunks in which nothing has changed are taken over as they are.
+// Chunks in which nothing has changed are reused.
 Document SessionChange::assemble() {
   DocumentBuilder builder;
   for (std::size_t i = 0; i < entries_.size();) {
@@ -69,7 +69,7 @@ Document SessionChange::assemble() {
   return builder.finish();
 }
 
-// The symbols in the texts that are checked again; nothing where a file is included, whose text is not known yet.
+// The symbols in the texts that are checked again; nothing if a file is included, whose text is not known yet.
 std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() const {
   Mentioned mentioned{std::vector<bool>(core_.program.symbols.size())};
   const Unit* last = nullptr;
@@ -86,7 +86,7 @@ std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() cons
   return mentioned;
 }
 
-// Of the statements that were checked before only those matter whose names the others mention.
+// Of the statements checked before, only those matter whose names the others mention.
 bool SessionChange::check() {
   const std::optional<Mentioned> mentioned = mentioned_by_fresh();
   const auto matters = [&](const Entry& entry) {
@@ -153,7 +153,7 @@ bool SessionChange::evaluate() {
   return !core_.report.has_errors();
 }
 
-// Expressions that are no things were asked for their value; they do not join the document.
+// Expressions that are not things were only evaluated to be printed; they do not join the document.
 void SessionChange::take_out_printed() {
   std::erase_if(entries_, [this](const Entry& entry) {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
@@ -165,7 +165,7 @@ void SessionChange::take_out_printed() {
   });
 }
 
-// A scene has one camera and one sky: another one takes the place of one that stands on a line of its own.
+// A scene has one camera and one sky: a new one replaces one on a line of its own.
 void SessionChange::settle_only(Trait which) {
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < entries_.size(); ++i)

@@ -73,7 +73,7 @@ private:
   std::string_view own_name(scene::NameId id) const { return id == scene::no_name ? name_ : scene::name(scene_, id); }
 
   void put(std::string_view name, std::string_view kind, std::string place) {
-    if (name == kind_) name = {}; // a def's name is that of all its copies
+    if (name == kind_) name = {}; // a def's name is common to all its copies
     if (!found.empty() && found.back().kind == kind && found.back().name == name)
       ++found.back().count;
     else

@@ -9,11 +9,11 @@
 
 namespace rt::lang {
 
-/// What a statement placed: things of one kind and name that follow one another are one. Without numbers.
+/// What a statement placed: consecutive things of one kind and name are one entry. Without numbers.
 std::vector<ListedObject> list_objects(const Statement& statement, const scene::Scene& scene, const Program& program);
 
-/// Numbers for what has no name, from 1 in the order of the document: one for each item of a statement that places
-/// something nameless.
+/// Numbers for what has no name, from 1 in document order: one for each item of a statement that places something
+/// nameless.
 class Numbering {
 public:
   Numbering(const scene::Scene& scene, const Program& program) : scene_(scene), program_(program) {}

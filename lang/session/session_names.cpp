@@ -37,7 +37,7 @@ namespace {
 
 const TopName* find_name(const Document& document, Symbol symbol) {
   if (symbol == no_symbol) return nullptr;
-  const TopName* found = nullptr; // the last one counts
+  const TopName* found = nullptr; // the last one wins
   for (const auto& chunk : document.chunks()) {
     for (std::size_t i = 0; i < chunk->statements.size(); ++i) {
       if ((chunk->names[i] & symbol_bit(symbol)) == 0) continue;

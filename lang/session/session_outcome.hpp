@@ -6,14 +6,14 @@
 
 #include <string>
 
-/// What a session answers to what was typed.
+/// How a session responds to an input.
 namespace rt::lang {
 
-/// A value as a session prints it: vectors without the digits that only rounding left in them.
+/// A value as a session prints it: vectors without digits that are only rounding errors.
 std::string readable(const Value& value, const Program& program);
 
-/// What came of a statement, in a few words: "placed sphere", "ball is a sphere", "background is now set"; empty for a
-/// comment. `replaces`: it took another's place.
+/// The outcome of a statement, in a few words: "placed sphere", "ball is a sphere", "background is now set"; empty for
+/// a comment. `replaces`: it replaced another.
 std::string outcome_of(const Statement& statement, bool replaces, Evaluator& evaluator, const Program& program);
 
 } // namespace rt::lang

@@ -80,9 +80,9 @@ void SessionScene::assume(const Document& document, bool has_camera, bool has_am
 
 namespace {
 
-// Cuts what statements placed into stretches. Where one ends depends on what is in it alone, so that it is found again
-// when something else has changed: ends are sought once there are enough objects, and come by often enough. What is
-// left behind the last end is cut into shorter ones, so that little is outside of all of them.
+// Cuts what statements placed into ranges. Where one ends depends only on its own content, so that it is found again
+// when something else has changed: a range may end once it has enough objects, and ends occur often enough. What
+// remains after the last end is cut into shorter ones, so that little is outside of all of them.
 class Cutter {
 public:
   template <class Placed>
@@ -90,7 +90,7 @@ public:
     Hasher hasher;
     std::size_t first = 0; // of the current range
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      if (placed[i].end - placed[i].begin >= enough / 4) { // is one by itself
+      if (placed[i].end - placed[i].begin >= enough / 4) { // is a range by itself
         leave(placed.subspan(first, i - first), enough);
         found.push_back({placed[i].begin, placed[i].end, Hasher().add(placed[i].stamp).value()});
         first = i + 1;

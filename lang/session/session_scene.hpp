@@ -7,10 +7,10 @@
 
 namespace rt::lang {
 
-/// The scene of a session's document, kept up to date: what stands before the first change is not touched.
+/// The scene of a session's document, kept up to date: what precedes the first change is not touched.
 class SessionScene {
 public:
-  /// `evaluator` holds the scene with its tables.
+  /// `evaluator` owns the scene with its tables.
   SessionScene(Evaluator& evaluator, const Program& program) : evaluator_(evaluator), program_(program) {}
 
   void show(const Document& document);
@@ -19,7 +19,7 @@ public:
   std::vector<SceneRange> ranges() const;
 
 private:
-  // A statement with objects, where they are in the scene.
+  // A statement with objects, and where they are in the scene.
   struct Placed {
     std::uint64_t stamp;
     std::uint32_t begin, end;

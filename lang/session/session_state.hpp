@@ -58,7 +58,7 @@ struct Session::State {
     scene.show(document());
   }
 
-  /// What the report says of an input that is not accepted.
+  /// The report on an input that is not accepted.
   SessionResult failed() const {
     SessionResult result;
     result.diagnostics = core.report.diagnostics();
@@ -69,7 +69,7 @@ struct Session::State {
   SessionScene scene;
   std::vector<SessionVersion> versions;
   std::vector<Kept> documents;     // by version
-  std::vector<std::size_t> undone; // versions that redo leads to, the next one last
+  std::vector<std::size_t> undone; // versions to redo, the next one last
   std::size_t current = 0;
 };
 

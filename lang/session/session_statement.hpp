@@ -11,22 +11,22 @@
 
 namespace rt::lang {
 
-/// Where a statement's text was first read: what diagnostics about it name.
+/// Where a statement's text was first read: what diagnostics about it refer to.
 struct TextOrigin {
   std::string name;
-  std::string path;       ///< canonical, empty where it is no file's
+  std::string path;       ///< canonical, empty if it is not from a file
   std::uint32_t line = 1; ///< of the text's first line
 };
 
-/// One statement of a session's document, with all that came of it. It never changes once it is accepted; a changed one
-/// is another one in its place.
+/// One statement of a session's document, with all its results. It never changes once it is accepted; a modified one
+/// replaces it.
 struct Statement {
-  std::uint64_t id = 0;    ///< stays when its text is edited or it is evaluated again
-  std::uint64_t stamp = 0; ///< of what it made: another one after each evaluation
+  std::uint64_t id = 0;    ///< kept when its text is edited or it is evaluated again
+  std::uint64_t stamp = 0; ///< of its results: a new one after each evaluation
 
-  std::string text; ///< the comments above it, itself, the comment behind it
+  std::string text; ///< the comments above it, itself, the comment after it
   TextOrigin origin;
-  Kind kind = Kind::none; ///< of its first node; `none`: nothing but comments
+  Kind kind = Kind::none; ///< of its first node; `none`: only comments
   Symbol key = no_symbol; ///< the name it declares, or the property of the scene that it sets
   bool may_print = false; ///< typed, not read from a file
 

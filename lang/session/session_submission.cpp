@@ -12,7 +12,7 @@
 namespace rt::lang {
 namespace {
 
-// The statement's things but the last, and the last.
+// All but the last of the statement's things, and the last.
 std::pair<std::string, std::string> split_last(SessionChange& change, const Statement& statement) {
   const std::vector<SessionChange::Draft> parts = change.parse(statement.text, statement.origin, true);
   if (parts.empty()) return {};
@@ -53,7 +53,7 @@ void Submission::take(const SessionChange::Draft& draft) {
   if (is_thing) last_id_ = draft->id;
 }
 
-// `.move(x: 1)`: the text of the last thing goes on with it.
+// `.move(x: 1)`: continues the text of the last thing.
 void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
   const auto at = change_.find_id(last_id_);
   if (!at) {
@@ -72,7 +72,7 @@ void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
   }
   const std::string_view added = draft->text;
   const TextOrigin origin{draft->origin.name, "", 1};
-  // Behind a comment it needs a line of its own.
+  // After a comment it needs a line of its own.
   const bool has_comment = text.find("//") != std::string::npos;
   std::vector<SessionChange::Draft> made =
       change_.parse(text + (has_comment ? "\n" : "") + std::string(added.substr(added.find('.'))), origin, true);
@@ -85,7 +85,7 @@ void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
   last_id_ = made.front()->id;
 }
 
-// `ball = ball { radius: 2 }` means the ball there was; the document says what that is.
+// `ball = ball { radius: 2 }` refers to the previous ball; the document spells out what that is.
 SessionChange::Draft Submission::without_itself(const SessionChange::Draft& draft) {
   const auto at = change_.find(draft->key);
   if (!at || change_[*at].kind != Kind::bind) return nullptr;

@@ -14,9 +14,9 @@ public:
   Submission(SessionCore& core, SessionChange& change, std::uint64_t last_id)
       : core_(core), change_(change), last_id_(last_id) {}
 
-  /// What is wrong with the text is in the report.
+  /// Errors in the text are in the report.
   void run(std::string_view text);
-  /// Of the statement that it is now.
+  /// The id of the statement that a line beginning with `.` edits next.
   std::uint64_t last_id() const { return last_id_; }
 
 private:

@@ -11,7 +11,7 @@ bool is_comment(TokenKind kind) {
   return kind == TokenKind::line_comment || kind == TokenKind::block_comment;
 }
 
-/// Where an item's text ends: behind it, or behind the comment that follows it on its line.
+/// Where an item's text ends: after it, or after the comment that follows it on its line.
 struct ItemEnd {
   std::uint32_t text_end;
   std::uint32_t next; ///< where what belongs to the next item begins
@@ -36,7 +36,7 @@ bool has_comment(std::string_view text) {
   return false;
 }
 
-/// The text between two items without blanks and separators at its ends; blank lines above comments stay.
+/// The text between two items without blanks and separators at its ends; blank lines above comments are kept.
 std::uint32_t begin_of_trivia(std::string_view source, std::uint32_t begin, std::uint32_t item) {
   const std::string_view trivia = source.substr(begin, item - begin);
   if (trivia.find('\n') == std::string_view::npos && !has_comment(trivia)) return item;
@@ -78,7 +78,7 @@ std::vector<ItemText> cut_items(std::string_view source, const Ast& ast, NodeLis
 
 namespace {
 
-// Puts tokens on one line, with a separator where a line break was one.
+// Puts tokens on a single line, with a separator where a line break served as one.
 class OneLine {
 public:
   explicit OneLine(std::string_view text) : text_(text) {}
@@ -119,7 +119,7 @@ private:
   }
 
   std::string_view text_;
-  std::string line_, open_; // brackets that are open
+  std::string line_, open_; // unclosed brackets
   TokenKind last_ = TokenKind::end;
   bool had_newline_ = false;
 };
@@ -166,7 +166,7 @@ bool edits_previous(const Ast& ast, NodeId item) {
 
 namespace {
 
-// The thing's own block, below the chain of calls behind it.
+// The thing's own block, inside the chain of calls after it.
 NodeId below_chain(const Ast& ast, NodeId node) {
   while (ast.kind(node) == Kind::call && ast.kind(ast.call(node).callee) == Kind::member)
     node = ast.member(ast.call(node).callee).base;
@@ -182,7 +182,7 @@ std::string with_new_line(std::string_view text, const Node& block, const std::s
     const bool is_empty = inside.find_first_not_of(" \t") == std::string_view::npos;
     return std::string(kept) + (is_empty ? " " : ", ") + property + " " + std::string(text.substr(brace));
   }
-  // As its neighbours are set in.
+  // Indented like its neighbours.
   const std::size_t first = inside.find_first_not_of(" \t", inside.find('\n') + 1);
   const std::size_t line = inside.find('\n') + 1;
   const std::string indent(first == std::string_view::npos ? "  " : inside.substr(line, first - line));

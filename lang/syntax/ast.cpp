@@ -67,7 +67,7 @@ void Ast::set_number(NodeId id, double value) {
   (*this)[id].b = static_cast<std::uint32_t>(bits >> 32);
 }
 
-// Not from the model itself, which has the place of the item it became.
+// Not taken from the model itself, which has the place of the item it became.
 Span Ast::model_span(const Repeat& repeat) const {
   const Node& first = nodes[static_cast<std::uint32_t>(repeat.model_first)];
   Span span{file, first.begin, first.end};

@@ -17,7 +17,7 @@ inline constexpr NodeId no_node{0xffffffff};
 /// What a node is. The words name the accessor of `Ast` that reads it.
 enum class Kind : std::uint8_t {
   // Items: what stands on a line of a block
-  error,    ///< where the syntax is wrong, already reported; `error_name` is the name it was to declare, if any
+  error,    ///< a syntax error, already reported; `error_name` is the name it was to declare, if any
   include,  ///< text: the path
   use,      ///< use_item
   param,    ///< param_item
@@ -29,15 +29,15 @@ enum class Kind : std::uint8_t {
   property, ///< named: `symbol: value`
   expect,   ///< expect_item
   // Expressions
-  number,  ///< number; a unit suffix is already converted to degrees, a sign before a literal is part of it
+  number,  ///< number; a unit suffix is already converted to degrees, and the sign of a literal is part of it
   string,  ///< text, escapes resolved
   color,   ///< color: #rrggbb as 0xrrggbb
   boolean, ///< boolean
   none,
   name,          ///< symbol, and what check resolved it to
   previous,      ///< the thing placed last: what a line that begins with `.` edits (sessions only)
-  numbers,       ///< numbers: a list of nothing but number literals
-  list,          ///< children: any other list, also the empty one
+  numbers,       ///< numbers: a list of number literals only
+  list,          ///< children: any other list, including the empty one
   record,        ///< children: properties
   comprehension, ///< comprehension
   lambda,        ///< function, without a name; body is an expression
@@ -54,7 +54,7 @@ enum class Kind : std::uint8_t {
   argument,  ///< named: `symbol: value` in a call
   filter,    ///< operand: `if cond` in a comprehension
   clause,    ///< for_item without a body: `for x in xs` in a comprehension
-  repeat,    ///< repeat: items of the same wording (see `Repeat`)
+  repeat,    ///< repeat: items with the same wording (see `Repeat`)
 };
 
 enum class Op : std::uint8_t {
@@ -87,8 +87,8 @@ enum class Claim : std::uint8_t {
   misses, ///< `expect subject misses other`
 };
 
-/// 20 bytes; what `a` and `b` mean depends on the kind, and only `Ast` and the parser need to know.
-/// `extra` and (in a name) `b` belong to the stages after parsing: the parser leaves 0 and `unresolved`.
+/// 20 bytes; the meaning of `a` and `b` depends on the kind, and only `Ast` and the parser need to know it. `extra` and
+/// (in a name) `b` belong to the stages after parsing: the parser leaves 0 and `unresolved`.
 struct Node {
   Kind kind;
   Op op;
@@ -104,7 +104,7 @@ inline constexpr std::uint32_t unresolved = 0xffffffff;
 
 using NodeList = std::span<const NodeId>;
 
-// What the accessors give; a part that is absent is `no_node`.
+// The results of the accessors; a part that is absent is `no_node`.
 struct UseItem {
   std::string_view path;
   NodeId name;
@@ -160,13 +160,13 @@ struct Parameter {
   NodeId name, default_value;
 };
 
-/// Consecutive items of a block that have the wording of one item, the model, and differ in number and colour literals
-/// alone (a million placed spheres), with no declaration between the model and them. What check found out about the
-/// model holds for all of them. `Ast::become` turns the model into one of them; the model itself stands in no block:
-/// the first of its items is in its first repeat.
+/// Consecutive items of a block that have the wording of one item, the model, and differ only in number and colour
+/// literals (a million placed spheres), with no declaration between the model and them. What check finds out about the
+/// model applies to all of them. `Ast::become` turns the model into one of them; the model itself is in no block: the
+/// first of its items is in its first repeat.
 struct Repeat {
   NodeId model;
-  NodeId model_first;         ///< the model's nodes are those from here to itself
+  NodeId model_first;         ///< the model's nodes are those from here to the model itself
   std::uint32_t first_number; ///< in `Ast::constants`
   std::uint32_t numbers_each;
   std::uint32_t first_span; ///< in `Ast::repeat_spans`
@@ -174,8 +174,8 @@ struct Repeat {
   bool is_first; ///< of the repeats of this model
 };
 
-/// The syntax tree of one file: an arena of flat arrays. Children come before their parent, and the root (a block, or
-/// an expression from `parse_expression`) comes last.
+/// The syntax tree of one file: an arena of flat arrays. Children precede their parent, and the root (a block, or an
+/// expression from `parse_expression`) is last.
 class Ast {
 public:
   FileId file = 0;
@@ -204,7 +204,7 @@ public:
   std::span<const double> numbers(NodeId id) const { return {constants.data() + (*this)[id].a, (*this)[id].b}; }
   NodeList children(NodeId id) const { return {links.data() + (*this)[id].a, (*this)[id].b}; }
 
-  /// Of a name: its symbol and the slot that check gave it (in a declaration too).
+  /// For a name: its symbol and the slot assigned by check (in a declaration too).
   Symbol symbol(NodeId id) const { return Symbol{(*this)[id].a}; }
   std::uint32_t slot(NodeId id) const { return (*this)[id].b; }
   void set_slot(NodeId id, std::uint32_t slot, std::uint16_t depth) { (*this)[id].b = slot, (*this)[id].extra = depth; }
@@ -213,24 +213,24 @@ public:
   UseItem use_item(NodeId id) const { return {strings[(*this)[id].a], NodeId{(*this)[id].b}}; }
   ParamItem param_item(NodeId id) const;
   Function function(NodeId id) const;
-  /// Of a def, fn or lambda: the number that check gave it.
+  /// For a def, fn or lambda: the index assigned by check.
   std::uint32_t function_index(NodeId id) const { return static_cast<std::uint32_t>(links[(*this)[id].a + 2]); }
   void set_function_index(NodeId id, std::uint32_t index) { links[(*this)[id].a + 2] = NodeId{index}; }
   ForItem for_item(NodeId id) const;
   IfNode if_node(NodeId id) const;
   BindItem bind_item(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
   ExpectItem expect_item(NodeId id) const;
-  /// Of a property or an argument; `named_span` is where the name stands.
+  /// For a property or an argument; `named_span` is the span of the name.
   Named named(NodeId id) const { return {Symbol{(*this)[id].a}, NodeId{(*this)[id].b}}; }
   Span named_span(NodeId id, const SymbolTable& symbols) const;
   Comprehension comprehension(NodeId id) const;
   Call call(NodeId id) const;
   Index index(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
   Member member(NodeId id) const { return {NodeId{(*this)[id].a}, Symbol{(*this)[id].b}}; }
-  /// Where the name after the dot stands.
+  /// The span of the name after the dot.
   Span member_span(NodeId id, const SymbolTable& symbols) const;
   Override override_(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
-  /// Of a unary node or a filter.
+  /// For a unary node or a filter.
   NodeId operand(NodeId id) const { return NodeId{(*this)[id].a}; }
   NodeId left(NodeId id) const { return NodeId{(*this)[id].a}; }
   NodeId right(NodeId id) const { return NodeId{(*this)[id].b}; }
@@ -238,17 +238,17 @@ public:
   Parameter parameter(NodeId id) const { return {NodeId{(*this)[id].a}, NodeId{(*this)[id].b}}; }
 
   const Repeat& repeat(NodeId id) const { return repeats[(*this)[id].a]; }
-  /// Turns the model of a repeat into its i-th item: the number literals and the item's own span change, the spans
-  /// inside stay the model's. Idempotent, and any order will do.
+  /// Turns the model of a repeat into its i-th item: the number literals and the item's own span change, the inner
+  /// spans stay the model's. Idempotent, and in any order.
   void become(const Repeat& repeat, std::uint32_t i);
-  /// Where the model's own words stand.
+  /// The span of the model's own text.
   Span model_span(const Repeat& repeat) const;
   Span item_span(const Repeat& repeat, std::uint32_t i) const {
     return {file, repeat_spans[repeat.first_span + i].begin, repeat_spans[repeat.first_span + i].end};
   }
 };
 
-/// Whether it is an item that binds names, and places nothing: also one in error, which may have been to.
+/// Whether it is an item that binds names and places nothing, including one in error that may have been.
 bool is_declaration(Kind kind);
 /// How a claim is written: "hits"; empty for one without a word.
 std::string_view spelling(Claim claim);
@@ -258,7 +258,7 @@ std::string_view spelling(Op op);
 /// The tree as indented text, one node a line with line:column; repeats are counted, not listed.
 std::string dump(const Ast& ast, const SourceMap& sources, const SymbolTable& symbols);
 
-/// Whether two trees say the same, whatever their layout: spans, comments and separators do not count.
+/// Whether two trees have the same meaning, whatever their layout: spans, comments and separators do not count.
 bool equal(const Ast& left, const SymbolTable& left_symbols, const Ast& right, const SymbolTable& right_symbols);
 
 } // namespace rt::lang

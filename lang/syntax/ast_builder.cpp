@@ -87,7 +87,7 @@ std::uint32_t AstBuilder::depth_from(std::uint32_t first) const {
   return depth + 1;
 }
 
-// A list of number literals keeps the numbers alone: their nodes are the last ones of the arena and go.
+// A list of number literals keeps only the numbers: their nodes, the last ones of the arena, are removed.
 bool AstBuilder::fold_numbers(std::uint32_t first, std::uint32_t begin, std::uint32_t end) {
   const std::uint32_t length = count() - first;
   if (length == 0) return false;
@@ -168,7 +168,7 @@ void AstBuilder::close_function(Kind kind, std::uint32_t end) {
   const auto first_link = static_cast<std::uint32_t>(ast_.links.size());
   ast_.links.push_back(has_name ? operands_[mark.operands].node : no_node);
   ast_.links.push_back(body);
-  ast_.links.push_back(no_node); // check's
+  ast_.links.push_back(no_node); // for check
   link(parameters);
   operands_.resize(mark.operands, Operand{});
   push({kind, Op{}, 0, mark.begin, end, first_link, length}, depth);
@@ -256,7 +256,7 @@ Complaint AstBuilder::step() {
     operators_.back().form = Form::stepped_range;
     return Complaint::none;
   }
-  operators_.push_back({Op::multiply, Form::infix, p_range, 0}); // stands in; the complaint is an error
+  operators_.push_back({Op::multiply, Form::infix, p_range, 0}); // a placeholder; the complaint is an error
   return Complaint::step_without_range;
 }
 

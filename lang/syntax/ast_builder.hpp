@@ -8,12 +8,12 @@
 
 namespace rt::lang {
 
-/// Thrown where an expression nests deeper than the stages after parsing can walk.
+/// Thrown if an expression nests more deeply than the stages after parsing can walk.
 struct TooDeep {
   std::uint32_t begin, end;
 };
 
-/// What the order of operators does not allow; parsing goes on all the same.
+/// Violations of operator precedence rules; parsing continues regardless.
 enum class Complaint : std::uint8_t {
   none,
   chained_comparison, ///< a < b < c
@@ -23,18 +23,18 @@ enum class Complaint : std::uint8_t {
 };
 
 /// Builds an `Ast` from the leaves up. Finished parts wait on a stack of operands until the construct around them is
-/// finished and takes them; marks remember where on that stack a construct began. After a syntax error `restore` brings
-/// back an earlier state, and nothing of the failed attempt is left.
+/// finished and takes them; marks remember where on that stack a construct began. After a syntax error `restore`
+/// returns to an earlier state, leaving nothing of the failed attempt.
 class AstBuilder {
 public:
-  /// A finished part: its node, the height of its tree, and its extent in the text (brackets around it included).
+  /// A finished part: its node, the height of its tree, and its extent in the text (including brackets around it).
   struct Operand {
     NodeId node;
     std::uint32_t depth;
     std::uint32_t begin, end;
   };
 
-  /// Where an unfinished construct began. `symbol` is the name it gives to its value, if any.
+  /// Where an unfinished construct began. `symbol` is the name it binds its value to, if any.
   struct Mark {
     std::uint32_t operands;
     std::uint32_t begin;
@@ -52,7 +52,7 @@ public:
   const Ast& ast() const { return ast_; }
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
-  /// Forgets the nodes that were added since, but keeps the operands: their nodes must be replaced.
+  /// Drops the nodes that were added since, but keeps the operands: their nodes must be replaced.
   void truncate_arena(const Snapshot& snapshot);
 
   // Leaves
@@ -62,7 +62,7 @@ public:
   void name(std::uint32_t begin, std::uint32_t end, Symbol symbol) {
     leaf(Kind::name, begin, end, static_cast<std::uint32_t>(symbol), unresolved);
   }
-  /// In place of a part that is absent.
+  /// A placeholder for a part that is absent.
   void nothing(std::uint32_t at) { operands_.push_back({no_node, 0, at, at}); }
 
   // Constructs: `open`, then their parts, then one of the `close_…`; `end` is where the construct ends.
@@ -73,7 +73,7 @@ public:
   std::uint32_t parts() const { return count() - marks_.back().operands; } ///< finished since the last `open`
   void close_children(Kind kind, std::uint32_t end);                       ///< block, list (or numbers), record
   void close_named(Kind kind);                                             ///< property, argument: the value
-  void close_pair(Kind kind, std::uint32_t end);        ///< two parts in a and b: bind, parameter, if without its rest
+  void close_pair(Kind kind, std::uint32_t end);        ///< two parts in a and b: bind, parameter, if without its else
   void close_linked_head(Kind kind, std::uint32_t end); ///< first part in a, the others in links: param, if
   void close_loop(Kind kind, std::uint32_t end);        ///< for, clause: one or two names, head, body
   void close_function(Kind kind, std::uint32_t end);    ///< def, fn, lambda: name, parameters, body
@@ -87,7 +87,7 @@ public:
   void index(std::uint32_t end); ///< base and index
   void override_block();         ///< base and block
 
-  // Operators in the order of their precedence: the operands come by themselves
+  // Operators in order of precedence: the operands are pushed separately
   void open_expression() { frames_.push_back(static_cast<std::uint32_t>(operators_.size())); }
   Complaint prefix(Op op, std::uint32_t begin);
   Complaint infix(Op op);
@@ -110,11 +110,11 @@ private:
     Op op;
     Form form;
     std::uint8_t precedence;
-    std::uint32_t begin; ///< of a prefix
+    std::uint32_t begin; ///< of a prefix operator
   };
 
   void push(const Node& node, std::uint32_t depth);
-  std::uint32_t link(std::uint32_t first); ///< the operands from `first` on become links; gives the first link
+  std::uint32_t link(std::uint32_t first); ///< the operands from `first` on become links; returns the first link
   std::uint32_t depth_from(std::uint32_t first) const;
   bool fold_numbers(std::uint32_t first, std::uint32_t begin, std::uint32_t end);
   bool has_operator() const { return operators_.size() > frames_.back(); }

@@ -22,7 +22,7 @@ struct Comparison {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [this](NodeId x, NodeId y) { return nodes(x, y); });
   }
 
-  // By bits: -0 differs from 0, and a tree equals itself whatever its numbers are.
+  // Bitwise: -0 differs from 0, and a tree equals itself whatever its numbers are.
   static bool numbers(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
   bool number_lists(std::span<const double> a, std::span<const double> b) const {

@@ -4,8 +4,8 @@
 
 #include <tao/pegtl.hpp>
 
-/// The grammar of the language, included by parse.cpp alone. Every rule decides by what stands next, so that actions
-/// never have to be undone except after an error; the order of operators is the builder's business.
+/// The grammar of the language, included by parse.cpp only. Every rule decides by lookahead, so that actions never have
+/// to be undone except after an error; operator precedence is left to the builder.
 namespace rt::lang::grammar {
 
 namespace peg = tao::pegtl;
@@ -14,7 +14,7 @@ using peg::at, peg::eof, peg::not_at, peg::one, peg::opt, peg::plus, peg::seq, p
 
 // Rules that depend on what has been read -------------------------------------------------------------------------
 
-/// Matches, consuming nothing, where the state says so.
+/// Matches, consuming nothing, if the state says so.
 template <auto Question>
 struct when {
   using rule_t = when;
@@ -37,7 +37,7 @@ struct is {
   }
 };
 
-/// At a place that looks like the next item although the one before is not complete.
+/// At a place that looks like the next item although the previous one is not complete.
 struct item_here {
   using rule_t = item_here;
   using subs_t = peg::empty_list;
@@ -48,7 +48,7 @@ struct item_here {
   }
 };
 
-/// What must stand here: if it does not, the item is broken, and `expected<Rule>` (grammar_errors.hpp) says why.
+/// What is required here: if it is missing, the item is broken, and `expected<Rule>` (grammar_errors.hpp) says why.
 template <typename Rule>
 struct required {
   using rule_t = required;
@@ -63,7 +63,7 @@ struct required {
   }
 };
 
-/// Counts how deep the rule nests, so that no input exhausts the stack.
+/// Limits the nesting depth of the rule, so that no input overflows the stack.
 template <typename Rule>
 struct nested {
   using rule_t = nested;
@@ -95,7 +95,7 @@ struct before_block {
 
 struct wide_gap;
 
-/// Brackets and what they hold. Where the closing one is missing the state decides whether it can be passed over.
+/// Brackets and their contents. If the closing one is missing the state decides whether to recover.
 template <char Open, char Close, typename Content>
 struct bracketed {
   using rule_t = bracketed;
@@ -161,7 +161,7 @@ struct line_comment : seq<string<'/', '/'>, until<at<sor<newline, eof>>>> {};
 struct comment_rest : until<string<'*', '/'>> {};
 struct block_comment : seq<string<'/', '*'>, required<comment_rest>> {};
 struct comment : seq<at<one<'/', '#'>>, sor<line_comment, block_comment, hash_comment>> {};
-// Comments are rare: what is blank goes first.
+// Comments are rare: blanks are tried first.
 struct narrow_gap : seq<star<blank>, opt<at<one<'/', '#'>>, star<sor<comment, blank>>>> {};
 struct wide_gap : seq<star<sor<blank, newline>>, opt<at<one<'/', '#'>>, star<sor<comment, blank, newline>>>> {};
 struct gap : sor<seq<when<&ParseState::newline_is_space>, wide_gap>, narrow_gap> {};
@@ -189,7 +189,7 @@ struct equals : seq<one<'='>, not_at<one<'=', '>'>>> {};
 struct colon : one<':'> {};
 struct comma : one<',', ';'> {};
 
-// Separators of blocks and lists. A newline, a comma and a semicolon say the same.
+// Separators of blocks and lists. A newline, a comma and a semicolon are equivalent.
 struct newlines : seq<newline, wide_gap> {};
 struct newline_separator : newlines {};
 struct mark_separator : seq<opt<newlines>, comma, wide_gap> {};
@@ -203,7 +203,7 @@ struct items;
 struct block_begin : at<one<'{'>> {};
 struct block : seq<block_begin, bracketed<'{', '}', items>> {};
 struct misplaced_brace : seq<narrow_gap, newlines, at<one<'{'>>> {}; // an error
-/// The block of a construct that must have one.
+/// The mandatory block of a construct.
 struct own_block : seq<gap, opt<misplaced_brace>, block> {};
 
 struct record : seq<when<&ParseState::block_may_follow>, block_begin, bracketed<'{', '}', items>> {};
@@ -222,14 +222,14 @@ struct filter_begin : keyword<Word::if_> {};
 struct filter : seq<filter_begin, wide_gap, required<expression>> {};
 struct comprehension_rest : seq<clause, star<wide_gap, sor<clause, filter>>> {};
 
-// What stands for itself, for speed: most values are numbers and names with nothing behind them. All of it could be
-// parsed as an expression, to the same effect.
+// Fast paths for values that stand alone: most are numbers and names with nothing after them. All of it could be parsed
+// as an expression, to the same effect.
 struct plain_number_text : seq<opt<one<'-', '+'>>, decimal, not_at<sor<peg::identifier_other, one<'.'>>>> {};
 struct plain_number : seq<plain_number_text, star<blank>, at<one<',', ']', '}', '\n', ';'>>> {};
 struct plain_name : seq<plain_word, star<blank>, at<one<',', ']', '}', ';'>>> {};
 struct value : sor<plain_number, plain_name, expression> {};
 
-/// What follows may stand on the next line, if that line does not look like an item of its own.
+/// What follows may be on the next line, if that line does not look like a separate item.
 struct next_line : seq<newlines, not_at<item_here>> {};
 struct value_gap : seq<narrow_gap, opt<at<newline>, required<next_line>>> {};
 
@@ -259,7 +259,7 @@ struct property_name : plain_word {};
 struct member : seq<one<'.'>, not_at<one<'.'>>, required<property_name>> {};
 struct override_block : seq<when<&ParseState::block_may_follow>, block> {};
 struct suffix : seq<at<one<'(', '[', '.', '{'>>, sor<call, index, member, override_block>> {};
-/// A line that begins with a dot continues the one before; a line that begins with a brace would like to.
+/// A line that begins with a dot continues the previous one; a line that begins with a brace is meant to.
 struct dot_on_new_line : seq<at<one<'.'>, peg::identifier_first>, member> {};
 struct brace_on_new_line : at<one<'{'>> {}; // an error
 struct override_on_new_line : seq<when<&ParseState::brace_may_be_misplaced>, brace_on_new_line, block> {};
@@ -343,7 +343,7 @@ struct param_range : seq<gap, keyword<Word::in_>, wide_gap, required<expression>
 struct param_item : seq<param_begin, gap, required<declared_word>, gap, required<param_value>, wide_gap,
                         required<expression>, opt<param_range>> {};
 
-// `hits`, `misses`, `at t` and `within` are words of an `expect` alone.
+// `hits`, `misses`, `at t` and `within` are keywords only in an `expect`.
 template <char... C>
 struct claim_word : seq<string<C...>, not_at<peg::identifier_other>> {};
 struct expect_begin : is<Word::expect_> {};
@@ -370,12 +370,12 @@ struct property_item : seq<property_colon, value_gap, required<value>> {};
 struct bind_sign : equals {};
 struct bind_item : seq<bind_sign, value_gap, required<value>> {};
 struct name_first : success {};
-/// An expression whose first word, a name, has been read.
+/// An expression whose first word, a name, has already been read.
 struct named_expression : seq<name_first, suffixes, operators_rest, operators_end> {};
 struct named_item : seq<opt<foreign_variable, gap, word>, when<&ParseState::word_is_plain>, gap,
                         sor<property_item, bind_item, named_expression>> {};
 
-/// Where a later kind of item begins with a word of its own, it joins the first list.
+/// If a later kind of item begins with a reserved word, it joins the first list.
 struct reserved_item : seq<when<&ParseState::word_is_reserved>,
                            sor<for_item, def_item, fn_item, include_item, use_item, param_item, expect_item>> {};
 struct word_item : seq<word, sor<reserved_item, foreign_function_item, named_item>> {};

@@ -6,13 +6,13 @@
 
 #include <cmath>
 
-/// What happens when a rule has matched: the tree grows. Included by parse.cpp alone.
+/// What happens when a rule has matched: the tree grows. Included by parse.cpp only.
 namespace rt::lang::grammar {
 
 template <typename Rule>
 struct action : peg::nothing<Rule> {};
 
-/// Actions that need the place of what matched derive from this, and define `at(state, begin, end)`.
+/// Actions that need the place of the match derive from this, and define `at(state, begin, end)`.
 template <typename Derived>
 struct placed {
   template <typename Input>
@@ -109,7 +109,7 @@ struct action<mark_separator> {
   static void apply0(ParseState& state) { state.separator(false); }
 };
 
-// Names that are declared, and the beginnings of constructs
+// Declared names, and the beginnings of constructs
 
 struct declares_name {
   static void apply0(ParseState& state) { state.build.name(state.last.begin, state.last.end, state.symbol()); }
@@ -318,7 +318,7 @@ struct action<no_parameters> : placed<action<no_parameters>> {
   }
 };
 
-/// `=` where `=>` is meant and the other way round.
+/// `=` instead of `=>` and vice versa.
 template <>
 struct action<arrow> : placed<action<arrow>> {
   static void at(ParseState& state, std::uint32_t begin, std::uint32_t end) {

@@ -43,7 +43,7 @@ template <> constexpr Expected expected<string_rest>() { return Expected::string
 template <> constexpr Expected expected<comment_rest>() { return Expected::comment_end; }
 // clang-format on
 
-/// PEGTL's control, with errors worded by us.
+/// PEGTL's control, with our own error messages.
 template <typename Rule>
 struct control : peg::normal<Rule> {
   template <typename Input>

@@ -2,7 +2,7 @@
 
 #include "lang/syntax/grammar_actions.hpp"
 
-/// The actions of items: what stands on a line of a block. Included by parse.cpp alone.
+/// The actions of a block's items. Included by parse.cpp only.
 namespace rt::lang::grammar {
 
 // A brace or an `else` on a line of its own
@@ -110,7 +110,7 @@ template <>
 struct action<claims_hit> : claims<Claim::hits> {};
 template <>
 struct action<claims_miss> : claims<Claim::misses> {};
-/// What was left out among the parts of an `expect`.
+/// What was omitted among the parts of an `expect`.
 template <std::uint32_t Parts>
 struct completes_claim {
   static void apply0(ParseState& state) {

@@ -7,7 +7,7 @@ namespace rt::lang {
 
 struct ParseOptions {
   int max_depth = 256;        ///< of brackets and of operators within operators
-  bool folds_repeats = false; ///< yields `repeat` nodes; off, every item stands for itself
+  bool folds_repeats = false; ///< yields `repeat` nodes; if off, every item has its own nodes
   bool is_session = false;    ///< a first line that begins with `.` edits what was placed last (`Kind::previous`)
 };
 
@@ -20,14 +20,14 @@ struct Parsed {
 /// Text to tree. Names are interned in `symbols`, so that trees of several files can share them.
 Parsed parse(const SourceMap& sources, FileId file, SymbolTable& symbols, const ParseOptions& options = {});
 
-/// The same for a text that is one expression (`-D name=value`): the root is the expression.
+/// The same for a text that is a single expression (`-D name=value`): the root is the expression.
 Parsed parse_expression(const SourceMap& sources, FileId file, SymbolTable& symbols, const ParseOptions& options = {});
 
-/// Whether a session may take the text as it stands: brackets balance, no comment is open, and it does not end in an
+/// Whether a session can submit the text as it is: brackets balance, no comment is open, and it does not end in an
 /// operator, a comma, `=` or `:`.
 bool is_complete(std::string_view text);
 
-/// How many rules of the grammar might loop without consuming input; 0, or there is a mistake in it (for tests).
+/// How many rules of the grammar might loop without consuming input; anything but 0 is a bug in it (for tests).
 std::size_t grammar_problems();
 
 } // namespace rt::lang

@@ -10,8 +10,8 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::size_t most_errors = 100;    // what follows is no scene
-constexpr std::uint32_t tree_depth = 2'000; // of operators in a row, as a | b | c; brackets have a limit of their own
+constexpr std::size_t most_errors = 100;    // beyond that it is not a scene
+constexpr std::uint32_t tree_depth = 2'000; // of operators in a row, as a | b | c; brackets have their own limit
 
 } // namespace
 
@@ -20,7 +20,7 @@ ParseState::ParseState(const SourceMap& sources, FileId source, SymbolTable& tab
     : text(sources.file(source).text), file(source), symbols(table), options(parse_options), build(ast, tree_depth),
       folder_(build) {
   ast.file = source;
-  // Enough for most texts; pages that stay untouched cost nothing.
+  // Enough for most texts; untouched pages cost nothing.
   ast.nodes.reserve(text.size() / 8 + 64);
   ast.constants.reserve(text.size() / 16 + 64);
   ast.repeat_spans.reserve(text.size() / 64 + 64);
@@ -111,7 +111,7 @@ void ParseState::fail(Expected expected, std::uint32_t at) {
   throw SyntaxError{resume_after(text, at, diagnostics.back()), expected == Expected::comment_end};
 }
 
-// With a unit, perhaps with a mistake.
+// With a unit, perhaps erroneous.
 void ParseState::number(std::uint32_t begin, std::uint32_t end) {
   const std::string_view literal_text = text.substr(begin, end - begin);
   const NumberLiteral literal = read_number(literal_text);
@@ -129,7 +129,7 @@ void ParseState::color(std::uint32_t begin, std::uint32_t end) {
   const std::string_view digits = literal.substr(1);
   const bool is_whole =
       (digits.size() == 3 || digits.size() == 6) && std::all_of(digits.begin(), digits.end(), is_hex_digit);
-  if (!is_whole && begin == item_) fail(Expected::item, begin); // no colour begins an item: a comment or a directive
+  if (!is_whole && begin == item_) fail(Expected::item, begin); // no item begins with a colour: a comment or directive
   if (!is_whole) report(malformed_color(span(begin, end), literal));
   build.leaf(Kind::color, begin, end, is_whole ? read_color(digits) : 0);
 }
@@ -142,7 +142,7 @@ void ParseState::plus_sign(std::uint32_t begin, std::uint32_t end) {
   build.prefix(Op::plus, begin);
 }
 
-// `location <0, 1, 2>` in a block: nobody compares there.
+// `location <0, 1, 2>` in a block: it is not a comparison.
 bool ParseState::begins_foreign_vector(std::uint32_t at) const {
   const bool is_item = build.top().begin == item_ && (open_.empty() || open_.back().bracket == '{');
   if (!is_item) return false;
@@ -245,7 +245,7 @@ void ParseState::close_if(std::uint32_t end) {
   }
 }
 
-// A claim without `~`, `hits` or `misses` is marked by no name.
+// A claim without `~`, `hits` or `misses` is marked by the absence of a name.
 void ParseState::close_expect(std::uint32_t end) {
   const Symbol mark = build.mark().symbol;
   const Claim claim = mark == no_symbol ? Claim::holds : static_cast<Claim>(mark);
@@ -266,7 +266,7 @@ void ParseState::close_param(std::uint32_t end) {
   build.close_linked_head(Kind::param, end);
 }
 
-// The end of the file with brackets open. The grammar knows which are open, the indentation shows which were forgotten.
+// The end of the file with open brackets. The grammar knows which are open, the indentation shows which are unclosed.
 void ParseState::fail_at_end() {
   const auto end = static_cast<std::uint32_t>(text.size());
   if (!is_at_end_) {
@@ -305,7 +305,7 @@ ParseState::Checkpoint ParseState::begin_item(std::uint32_t at) {
 void ParseState::finish_item(const Checkpoint& checkpoint) {
   leave_item(checkpoint);
   if (!options.folds_repeats) return;
-  // What was complained of must be complained of again.
+  // What was reported must be reported again.
   folder_.finish_item(checkpoint.build, diagnostics.empty() ? std::optional(text) : std::nullopt);
 }
 

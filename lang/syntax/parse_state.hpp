@@ -13,15 +13,15 @@
 
 namespace rt::lang {
 
-/// Thrown where the grammar cannot go on; the diagnostic is already recorded.
+/// Thrown if the grammar cannot continue; the diagnostic is already recorded.
 struct SyntaxError {
   std::uint32_t at;      ///< where to start looking for the end of the broken item
   bool is_fatal = false; ///< nothing after it can be trusted
 };
 
-// In the mark of a construct, where other constructs keep their name.
+// In the mark of a construct, instead of a name.
 inline constexpr Symbol chained_if{0xfffffffe};         ///< an `else if`: part of the `if` before it
-inline constexpr Symbol comprehension_mark{0xfffffffd}; ///< a list that turned out a comprehension
+inline constexpr Symbol comprehension_mark{0xfffffffd}; ///< a list that turned out to be a comprehension
 
 /// What the grammar's rules and actions share while one text is parsed.
 class ParseState {
@@ -64,14 +64,14 @@ public:
   Modes enter(std::uint32_t at, char bracket);
   void leave(Modes modes);
   enum class Closing { stay, consume };
-  /// The closing bracket is not at `at`; `before` is where the last part ended. Says how to go on, or throws.
+  /// The closing bracket is missing at `at`; `before` is where the last part ended. Says how to continue, or throws.
   Closing not_closed(std::uint32_t before, std::uint32_t at);
   bool without_block() { return std::exchange(block_may_follow_, false); }
   void set_block_may_follow(bool may) { block_may_follow_ = may; }
   void deeper(std::uint32_t at);
   void shallower() { --depth_; }
 
-  // Literals, operators and constructs whose parts need a second look
+  // Literals, operators and constructs whose parts need further checks
   void number(std::uint32_t begin, std::uint32_t end);
   void color(std::uint32_t begin, std::uint32_t end);
   void plus_sign(std::uint32_t begin, std::uint32_t end);
@@ -84,13 +84,13 @@ public:
   void close_param(std::uint32_t end);
   void close_expect(std::uint32_t end);
 
-  /// Records and goes on; throws SyntaxError where there have been too many.
+  /// Records and continues; throws SyntaxError if there are too many.
   void report(Diagnostic diagnostic);
   void complain(Complaint complaint, std::uint32_t begin, std::uint32_t end);
   [[noreturn]] void fail(Expected expected, std::uint32_t at);
   Span span(std::uint32_t begin, std::uint32_t end) const { return {file, begin, end}; }
 
-  /// What must be put back after an error in an item.
+  /// What must be restored after an error in an item.
   struct Checkpoint {
     AstBuilder::Snapshot build;
     std::size_t open;
@@ -101,10 +101,10 @@ public:
     bool follows_line;
   };
   Checkpoint begin_item(std::uint32_t at);
-  /// An item that only repeats an earlier one is not taken apart; gives where it ends.
+  /// An item that only repeats an earlier one is not parsed; returns where it ends.
   std::optional<std::uint32_t> repeat_item(std::uint32_t begin) { return folder_.repeat_item(text, begin); }
   void finish_item(const Checkpoint& checkpoint);
-  /// Puts an error node in the place of the item; gives where to go on.
+  /// Replaces the item by an error node; returns where to continue.
   std::uint32_t replace_item(const Checkpoint& checkpoint, std::uint32_t begin, const SyntaxError& error);
   void too_deep(std::uint32_t begin, std::uint32_t end);
 
@@ -124,7 +124,7 @@ private:
   bool block_may_follow_ = true;
   bool follows_line_ = false; ///< the last separator was a newline
   bool item_follows_line_ = false;
-  bool is_at_end_ = false; ///< what is open at the end of the file has been reported
+  bool is_at_end_ = false; ///< unclosed brackets at the end of the file have been reported
   int depth_ = 0;
   std::uint32_t item_ = 0;
 };

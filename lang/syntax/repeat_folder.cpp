@@ -10,10 +10,10 @@ namespace rt::lang {
 
 namespace {
 
-constexpr std::uint32_t shortest_block = 16; // below that there is nothing to gain
+constexpr std::uint32_t shortest_block = 16; // not worthwhile for shorter blocks
 constexpr std::size_t most_models = 64;      // wordings that all differ are not worth keeping
 
-// What has neither a scope nor an order of its own.
+// Kinds with neither a scope nor an order of their own.
 bool is_plain(Kind kind) {
   switch (kind) {
   case Kind::property:
@@ -41,7 +41,7 @@ bool is_plain(Kind kind) {
   }
 }
 
-// How `a` and `b` of a node are to be read when two items are compared.
+// How `a` and `b` of a node are compared between two items.
 enum class Slot : std::uint8_t { same, node, link, free };
 struct Slots {
   Slot a, b;
@@ -55,7 +55,7 @@ Slots slots_of(Kind kind) {
   case Kind::numbers:
     return {Slot::free, Slot::same};
   case Kind::string:
-    return {Slot::free, Slot::same}; // compared by what it says
+    return {Slot::free, Slot::same}; // compared by its content
   case Kind::list:
   case Kind::record:
   case Kind::block:
@@ -87,7 +87,7 @@ bool RepeatFolder::is_foldable(std::uint32_t first_node, std::uint32_t last_node
                      [](const Node& node) { return is_plain(node.kind); });
 }
 
-// The words of the item in their order: kinds, names, operators and lengths, but no literals and no positions.
+// A hash of the item's words in order: kinds, names, operators and lengths, but no literals and no positions.
 std::uint64_t RepeatFolder::hash(const Model& item) const {
   const Ast& ast = builder_.ast();
   std::uint64_t hash = 0;
@@ -167,7 +167,7 @@ void RepeatFolder::begin_repeat(const Model& model, std::uint32_t operand, const
   ast.nodes.push_back({Kind::repeat, Op{}, 0, item.begin, item.end, repeat, 0});
 }
 
-// The last operand joins the repeat that stands before it, if that is one of the same model with its literals at the
+// The last operand joins the repeat that precedes it, if that is one of the same model with its literals at the
 // end.
 bool RepeatFolder::extend_repeat(const Model& model) {
   Ast& ast = builder_.ast();
@@ -185,14 +185,14 @@ bool RepeatFolder::extend_repeat(const Model& model) {
   return true;
 }
 
-// From the text of the last operand, the first item that repeats the model; `literals_` are its own. If that leaves a
-// doubt, the model's items all go through the grammar.
+// From the text of the last operand, the first item that repeats the model; `literals_` are its own. If that is
+// ambiguous, the model's items all go through the grammar.
 void RepeatFolder::learn_wording(Model& model, std::string_view text) const {
   const AstBuilder::Operand& item = builder_.top();
   model.repeat_text = RepeatText::of(text.substr(item.begin, item.end - item.begin), literals_);
 }
 
-// Follows the text along one model; where it leaves that for another, all models that have left it too are out.
+// Follows the text along one model; where it departs from that for another, all models left earlier are out.
 std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, std::uint32_t begin) {
   const std::span<const Model> models = known_models();
   static_assert(most_models <= 64);
@@ -225,7 +225,7 @@ std::optional<std::uint32_t> RepeatFolder::repeat_item(std::string_view text, st
     at += static_cast<std::uint32_t>(model->repeat_text->piece(number).size());
     if (number == model->repeat_text->numbers()) break;
     const NumberLiteral literal = read_signed_number(text.substr(at));
-    if (literal.length == 0 || std::isinf(literal.value)) return std::nullopt; // no number, or one to complain of
+    if (literal.length == 0 || std::isinf(literal.value)) return std::nullopt; // not a number, or one with an error
     literals_.push_back(literal.value);
     at += literal.length;
   }

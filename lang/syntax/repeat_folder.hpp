@@ -11,8 +11,8 @@
 
 namespace rt::lang {
 
-/// Finds items that differ from an earlier item of their block in number and colour literals alone, and keeps the
-/// literals in place of the nodes (`Repeat`): a million placed spheres then take 40 bytes each, and are checked once.
+/// Finds items that differ from an earlier item of their block only in number and colour literals, and stores the
+/// literals instead of the nodes (`Repeat`): a million placed spheres then take 40 bytes each, and are checked once.
 class RepeatFolder {
 public:
   explicit RepeatFolder(AstBuilder& builder) : builder_(builder) {}
@@ -26,23 +26,23 @@ public:
   /// After an error: only the outer blocks are still open.
   void restore(std::size_t depth) {
     blocks_.resize(depth);
-    forget_models(); // what is broken may have been a declaration
+    forget_models(); // the broken item may have been a declaration
   }
 
-  /// The last operand is a whole item, begun at `before`. `text` is the source, if what is written there is beyond
-  /// doubt: then `repeat_item` will know the item's wording.
+  /// The last operand is a whole item, begun at `before`. `text` is the source, if it can be trusted: then
+  /// `repeat_item` will know the item's wording.
   void finish_item(const AstBuilder::Snapshot& before, std::optional<std::string_view> text);
 
-  /// If an item stands at `begin` that repeats one by its text alone, it becomes the last operand or joins the repeat
-  /// there, without the grammar. Gives where it ends.
+  /// If an item at `begin` repeats one by its text alone, it becomes the last operand or joins the repeat there,
+  /// bypassing the grammar. Returns where it ends.
   std::optional<std::uint32_t> repeat_item(std::string_view text, std::uint32_t begin);
 
 private:
-  /// An item that others may repeat, and where it lies in the arena.
+  /// An item that others may repeat, and its position in the arena.
   struct Model {
     std::uint64_t hash; ///< of the wording
     std::uint32_t first_node, last_node, first_link, links;
-    std::uint32_t operand; ///< where it stands on the builder's stack
+    std::uint32_t operand; ///< its index on the builder's stack
     bool is_repeated = false;
     std::optional<RepeatText> repeat_text{};
   };

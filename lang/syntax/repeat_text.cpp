@@ -11,15 +11,15 @@ namespace rt::lang {
 namespace {
 
 constexpr std::string_view before_number = "[,:", after_number = "],};";
-// What may hold digits that are no numbers, or numbers in more ways than one.
+// What may contain digits that are not numbers, or numbers written in different ways.
 constexpr std::string_view doubtful = "\"'#/()";
 
 bool is_one_of(std::string_view set, char c) {
   return set.find(c) != std::string_view::npos;
 }
 
-// Whether what ends at `at` is surely whole: it is before one of these marks, and before a line's end if the next line
-// does not begin with a dot, a brace or a comment.
+// Whether what ends at `at` is certainly complete: it is before one of these marks, or before a line's end if the next
+// line does not begin with a dot, a brace or a comment.
 bool ends(std::string_view text, std::size_t at, std::string_view marks) {
   while (at < text.size() && is_blank(text[at])) ++at;
   if (at >= text.size() || text[at] != '\n') return at >= text.size() || is_one_of(marks, text[at]);
@@ -37,7 +37,7 @@ std::optional<RepeatText> RepeatText::of(std::string_view item, std::span<const 
   if (item.find_first_of(doubtful) != std::string_view::npos) return std::nullopt;
   RepeatText repeat_text;
   std::uint32_t begin = 0; // of the piece
-  char last = '\0';        // that is not blank
+  char last = '\0';        // the last one that is not blank
   for (std::uint32_t at = 0; at < item.size();) {
     const char c = item[at];
     if (is_name_start(c)) {

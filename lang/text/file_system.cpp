@@ -23,7 +23,7 @@ public:
   std::string read(const fs::path& path) const override {
     std::error_code error;
     if (fs::is_directory(path, error)) fail(EISDIR, path);
-    constexpr std::uintmax_t most = 0xffff'ffff; // places in a text are 32-bit numbers
+    constexpr std::uintmax_t most = 0xffff'ffff; // positions in a text are 32-bit numbers
     std::ifstream in(path, std::ios::binary);
     if (!in) fail(errno, path);
     std::string text;

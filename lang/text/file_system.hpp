@@ -7,29 +7,29 @@
 
 namespace rt::lang {
 
-/// Where the language reads its files: the disk, an editor's open buffers over it, the memory of a test. A path that
-/// `canonical` gave names a file in one way only.
+/// Where the language reads its files: the disk, an editor's open buffers overlaying it, or a test's memory. A path
+/// returned by `canonical` is the only such path of its file.
 class FileSystem {
 public:
   virtual ~FileSystem() = default;
   /// The whole file. Throws std::system_error with the path in its message.
   virtual std::string read(const std::filesystem::path& path) const = 0;
   virtual bool exists(const std::filesystem::path& path) const = 0;
-  /// Whether reading it waits for another program to write.
+  /// Whether reading it blocks until another program writes.
   virtual bool is_pipe(const std::filesystem::path& path) const = 0;
   /// The absolute path without `.`, `..` and symbolic links. The file need not exist.
   virtual std::filesystem::path canonical(const std::filesystem::path& path) const = 0;
-  /// The names of the regular files that stand in a folder, sorted; none where it cannot be listed.
+  /// The names of the regular files in a folder, sorted; none if it cannot be listed.
   virtual std::vector<std::string> files_in(const std::filesystem::path& folder) const = 0;
 };
 
 /// The computer's own.
 const FileSystem& disk();
 
-/// Files that are nowhere but in memory. It knows no links, and relative paths start at the root.
+/// Files that exist only in memory. There are no links, and relative paths start at the root.
 class MemoryFiles : public FileSystem {
 public:
-  /// Adds a file, or gives it another text.
+  /// Adds a file, or replaces its text.
   void write(const std::filesystem::path& path, std::string text) { texts_[canonical(path)] = std::move(text); }
   void remove(const std::filesystem::path& path) { texts_.erase(canonical(path)); }
 
@@ -43,7 +43,7 @@ private:
   std::map<std::filesystem::path, std::string> texts_;
 };
 
-/// What an editor shows stands before what is saved. `saved` must outlive it.
+/// An editor's open buffers override what is saved. `saved` must outlive it.
 class OpenBuffers : public FileSystem {
 public:
   explicit OpenBuffers(const FileSystem& saved) : saved_(saved) {}

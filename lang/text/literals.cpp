@@ -11,7 +11,7 @@ namespace rt::lang {
 
 namespace {
 
-// The powers of ten that are doubles themselves.
+// The powers of ten that are exact doubles.
 constexpr double exact_power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t exact_limit = std::uint64_t{1} << 53;
@@ -20,7 +20,7 @@ double read_slowly(std::string_view text) {
   double value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec != std::errc::result_out_of_range) return value;
-  // Too large, or too small to tell from 0: the exponent's sign says which.
+  // Overflow or underflow: the exponent's sign tells which.
   const std::size_t e = text.find_first_of("eE");
   const bool is_small = e != std::string_view::npos ? text[e + 1] == '-' : text.find_first_of("123456789") > 300;
   return is_small ? 0 : std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ int hex_value(char c) {
   return (c | 0x20) - 'a' + 10;
 }
 
-// Where the digits of the exponent that begins at `at` are; 0 where none does.
+// Where the digits of the exponent that begins at `at` are; 0 if there is none.
 std::size_t exponent_digits(std::string_view text, std::size_t at) {
   if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return 0;
   const std::size_t digits = at + 1 + (at + 1 < text.size() && is_sign(text[at + 1]) ? 1 : 0);

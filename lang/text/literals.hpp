@@ -7,7 +7,7 @@
 
 namespace rt::lang {
 
-/// A number literal's value. `length` is how many bytes belong to the number itself; a suffix follows.
+/// The value of a number literal. `length` is the number of bytes of the number itself; a suffix may follow.
 struct NumberLiteral {
   double value;
   std::uint32_t length;
@@ -17,17 +17,17 @@ bool begins_number(std::string_view text);
 /// `2`, `.5`, `5.`, `1e-3`, rounded to the nearest double as the C++ library does. Requires a text that begins a
 /// number.
 NumberLiteral read_number(std::string_view text);
-/// The same with a sign before it, or without; the length is 0 where no number follows.
+/// The same with an optional sign; the length is 0 if no number follows.
 NumberLiteral read_signed_number(std::string_view text);
 
-/// What one of `suffix` is in degrees; 0 where there is no such unit.
+/// How many degrees one `suffix` is; 0 if there is no such unit.
 double degrees_per(std::string_view suffix);
 
-/// A string literal without its quotes, escapes resolved. `bad_escapes` gets the offset of each escape that has no
-/// meaning.
+/// The content of a string literal without its quotes, escapes resolved. `bad_escapes` receives the offset of each
+/// invalid escape.
 std::string read_string(std::string_view text, std::vector<std::uint32_t>& bad_escapes);
 
-/// The literal that says `text`, quotes and all.
+/// The literal for `text`, including quotes.
 std::string write_string(std::string_view text);
 
 /// `rgb` or `rrggbb` in hexadecimal as 0xrrggbb. Requires 3 or 6 hexadecimal digits.

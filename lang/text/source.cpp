@@ -9,7 +9,7 @@
 namespace rt::lang {
 
 namespace {
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // some editors put it first; it is no part of line 1
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // some editors put it first; it is not part of line 1
 }
 
 FileId SourceMap::add(std::string name, std::string path, std::string text, Span included_from) {
@@ -45,7 +45,7 @@ Position SourceMap::position(FileId file, std::uint32_t offset) const {
   const auto line = static_cast<std::uint32_t>(next - source.line_starts.begin());
   const std::uint32_t start = next[-1];
   const std::string_view before = std::string_view(source.text).substr(start, offset - start);
-  // Every byte but UTF-8's continuation bytes begins a character.
+  // Every byte except UTF-8 continuation bytes begins a character.
   const auto characters = std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xc0) != 0x80; });
   return {line, static_cast<std::uint32_t>(characters) + 1};
 }

@@ -24,20 +24,20 @@ struct Position {
   std::uint32_t column = 1;
 };
 
-/// One text that was read: a scene file, an included file, standard input, a line typed into a session.
+/// A text that was read: a scene file, an included file, standard input, a line typed into a session.
 struct SourceFile {
   std::string name; ///< as shown in diagnostics
-  std::string path; ///< canonical, empty where there is none; what relative includes start from
+  std::string path; ///< canonical, empty if there is none; relative includes are resolved against it
   std::string text;
   std::vector<std::uint32_t> line_starts; ///< byte offset of each line's first character
-  /// Where `include` or `use` named this file; file == own index for the first one.
+  /// Where `include` or `use` named this file; for the first one the file is itself.
   Span included_from;
 };
 
 /// All texts of one run.
 class SourceMap {
 public:
-  /// Throws std::length_error for a text beyond what 32-bit offsets reach.
+  /// Throws std::length_error for a text too long for 32-bit offsets.
   FileId add(std::string name, std::string path, std::string text, Span included_from = {});
   const SourceFile& file(FileId id) const { return files_[id]; }
   std::size_t size() const { return files_.size(); }

@@ -4,7 +4,7 @@
 
 namespace rt::lang {
 
-/// Runs from its construction.
+/// Starts on construction.
 class Stopwatch {
 public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

@@ -44,13 +44,13 @@ std::string folded(std::string_view word) {
   return out;
 }
 
-// About a third of a word may be wrong; in one or two letters any slip makes another word.
+// About a third of a word may be wrong; with one or two letters any slip makes a different word.
 int allowed_slips(std::size_t length) {
   return length < 3 ? 0 : std::clamp(static_cast<int>(length) / 3, 1, 3);
 }
 
-// How far a candidate is, or nothing where it is too far. Case and underscores are no slips, and a word that was cut
-// short (`rad`) or two swapped letters (`ta`) are as near as one slip.
+// The distance of a candidate, or nothing if it is too far. Case and underscores do not count, and a truncated word
+// (`rad`) or two swapped letters (`ta`) count as one slip.
 std::optional<int> slips(const std::string& word, const std::string& candidate) {
   if (word == candidate) return 0;
   if (word.size() >= 3 && candidate.starts_with(word)) return 1;

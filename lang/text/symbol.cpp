@@ -12,7 +12,7 @@ std::uint64_t load(const char* at, std::size_t bytes) {
   return word;
 }
 
-// Names are short: two loads that overlap cover 4 to 16 bytes, and only longer ones take a loop.
+// Names are short: two overlapping loads cover 4 to 16 bytes, and only longer ones need a loop.
 std::uint32_t hash_of(std::string_view name) {
   constexpr std::uint64_t factor = 0x9e3779b97f4a7c15u; // 2^64 divided by the golden ratio
   const char* const text = name.data();

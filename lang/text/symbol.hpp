@@ -8,17 +8,17 @@
 
 namespace rt::lang {
 
-/// A name of the language as a number: equal names have equal numbers within one `SymbolTable`.
+/// An interned name: equal names have equal numbers within one `SymbolTable`.
 enum class Symbol : std::uint32_t {};
 inline constexpr Symbol no_symbol{0xffffffff};
 
-/// All names of one run, numbered from 0 in the order in which they were first met. Intern a fixed list first, and its
-/// symbols are its positions.
+/// All names of one run, numbered from 0 in order of first occurrence. If a fixed list is interned first, its symbols
+/// are its indices.
 class SymbolTable {
 public:
   SymbolTable();
   Symbol intern(std::string_view name);
-  /// `no_symbol` where the name was never interned.
+  /// `no_symbol` if the name was never interned.
   Symbol find(std::string_view name) const;
   std::string_view name(Symbol symbol) const { return names_[static_cast<std::uint32_t>(symbol)]; }
   std::size_t size() const { return names_.size(); }

@@ -75,7 +75,7 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
     std::uint64_t eight = 0;
-    while (at + 8 <= text.size()) { // scenes are ASCII for the most part
+    while (at + 8 <= text.size()) { // scenes are mostly ASCII
       std::memcpy(&eight, text.data() + at, 8);
       if ((eight & 0x8080808080808080u) != 0) break;
       at += 8;

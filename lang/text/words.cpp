@@ -28,7 +28,7 @@ Word starting_with_i(std::string_view word) {
 
 } // namespace
 
-// By the first letter, because this is asked for every word of a scene.
+// By the first letter, because this is called for every word of a scene.
 Word classify(std::string_view word) {
   if (word.size() < 2 || word.size() > 8) return Word::plain;
   switch (word[0]) {

@@ -26,12 +26,12 @@ enum class Word : std::uint8_t {
   false_,
   none_,
   expect_,
-  // Plain words that begin a declaration in other languages; they are names here all the same
+  // Plain words that begin a declaration in other languages; here they are ordinary names
   foreign_variable, ///< let, var, const, local, val
   foreign_function, ///< function, func, fun
 };
 
-/// Sorts a word; the whole word must be given.
+/// Classifies a word; the whole word must be given.
 Word classify(std::string_view word);
 
 constexpr bool is_reserved(Word word) {

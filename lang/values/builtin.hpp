@@ -18,8 +18,8 @@ namespace rt::lang {
 
 class Observer;
 
-/// A call of a built-in function, with its arguments in the order of its parameters and their types checked. What was
-/// left out is `unset`; the values of a last parameter with `…` follow one another.
+/// A call of a built-in function, with its arguments in the order of its parameters and their types checked. Omitted
+/// ones are `unset`; the values of a last parameter with `…` come last.
 class BuiltinCall {
 public:
   std::vector<Value> arguments;
@@ -29,17 +29,17 @@ public:
   virtual const SymbolTable& symbols() = 0;
   /// Calls a function value; poison after a failure, which is reported.
   virtual Value call(const Value& function, std::vector<Value> function_arguments) = 0;
-  /// Reports a mistake at an argument and gives poison.
+  /// Reports an error at an argument and returns poison.
   virtual Value fail(std::size_t argument, const std::string& message, const std::string& label = {}) = 0;
-  /// Tells somebody who reads along, with the place of the call.
+  /// Outputs a note, with the place of the call.
   virtual void print(std::string text) = 0;
-  /// Counts `steps` of work, and makes sure that `bytes` more may be allocated. Does not return when a limit is passed:
+  /// Counts `steps` of work, and ensures that `bytes` more may be allocated. Does not return if a limit is exceeded:
   /// that ends the evaluation.
   virtual void spend(std::uint64_t steps, std::uint64_t bytes = 0) = 0;
-  /// Who looks at the scene, or at the thing alone that argument `alone` is, placed or not; null after a failure, which
-  /// is reported. For questions only.
+  /// The observer of the scene, or of the thing alone that argument `alone` is, placed or not; null after a failure,
+  /// which is reported. For questions only.
   virtual const Observer* observer(std::optional<std::size_t> alone = {}) = 0;
-  /// How precise an answer is to be, where an expectation says so. For questions only.
+  /// The precision of the answer, if the expectation states one. For questions only.
   virtual std::optional<double> precision() = 0;
   virtual const scene::Scene& scene() = 0;
 
@@ -66,7 +66,7 @@ struct ChainMethod {
   std::string_view name;
   Signature signature;
   std::string_view help;
-  std::optional<scene::Step> (*function)(BuiltinCall& call); ///< nothing after a mistake
+  std::optional<scene::Step> (*function)(BuiltinCall& call); ///< nothing after an error
 };
 
 /// A name for a value.
@@ -77,7 +77,7 @@ struct Constant {
   Value (*value)();
 };
 
-/// A table of functions with what its theme is called in the reference.
+/// A table of functions with the name of its topic in the reference.
 struct BuiltinGroup {
   std::string_view title;
   std::span<const Builtin> rows;

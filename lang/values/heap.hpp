@@ -11,10 +11,10 @@ namespace rt::lang {
 
 class Heap;
 
-/// What a value is. From `string` on it lives on the heap and is shared.
+/// What a value is. From `string` on it is on the heap and shared.
 enum class ValueKind : std::uint8_t {
   unset,  ///< a name whose line has not been reached
-  poison, ///< what an expression in error gives: whatever is made of it is poison too, without a word
+  poison, ///< the result of an expression in error: whatever is computed from it is silently poison too
   none,
   boolean,
   number,
@@ -27,7 +27,7 @@ enum class ValueKind : std::uint8_t {
   string,
   list, ///< any other list
   record,
-  closure, ///< a function of the scene's
+  closure, ///< a function defined in the scene
   thing,
   module,
   formula, ///< what depends on the point that a function is compiled for
@@ -37,17 +37,17 @@ enum class ValueKind : std::uint8_t {
   content
 };
 
-/// The head of everything on the heap. Cells are counted references, and nothing in them ever changes that a value
-/// could see.
+/// The header of everything on the heap. Cells are reference-counted, and immutable as far as values can
+/// observe.
 struct Cell {
   Heap* heap = nullptr;
   std::uint32_t references = 0;
   ValueKind kind = ValueKind::none;
-  std::uint16_t depth = 0; ///< how deep lists, records and things are nested in it
+  std::uint16_t depth = 0; ///< the nesting depth of lists, records and things in it
 };
 
-/// The memory of one evaluation: cells by size class, and how many bytes are in use. Freeing a long chain of cells
-/// takes no recursion. Everything allocated must be gone before the heap is.
+/// The memory of one evaluation: cells by size class, and the number of bytes in use. Freeing a long chain of cells is
+/// not recursive. Everything allocated must be freed before the heap is.
 class Heap {
 public:
   Heap() = default;
@@ -55,7 +55,7 @@ public:
   Heap& operator=(const Heap&) = delete;
   ~Heap();
 
-  /// A new cell of type T with `extra` bytes behind it; without references yet.
+  /// A new cell of type T followed by `extra` bytes; without references yet.
   template <class T, class... Arguments>
   T* make(std::size_t extra, Arguments&&... arguments) {
     T* cell = new (allocate(sizeof(T) + extra)) T(std::forward<Arguments>(arguments)...);

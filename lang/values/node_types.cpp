@@ -176,7 +176,7 @@ const NodeType& NodeTypes::combination(scene::Combination::Operation operation) 
   for (const NodeType& type : nouns_) {
     if (type.category == Category::combination && type.operation == operation) return type;
   }
-  return nouns_.front(); // not reached: every operation has its noun
+  return nouns_.front(); // unreachable: every operation has its noun
 }
 
 std::optional<std::uint16_t> NodeType::find(std::string_view property) const {

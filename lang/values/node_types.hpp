@@ -14,10 +14,10 @@
 
 namespace rt::lang {
 
-/// What sort of thing a noun names.
+/// What kind of thing a noun names.
 enum class Category : std::uint8_t { shape, group, combination, material, pattern, light, camera, scene };
 
-/// The type of a property: those of the description's fields (same order), and what only the language has.
+/// The type of a property: those of the description's fields (same order), and those that only the language has.
 enum class PropertyType : std::uint8_t {
   number,
   boolean,
@@ -38,7 +38,7 @@ enum class PropertyType : std::uint8_t {
 /// Properties that no field table lists, because they are not parameters of the shape itself.
 enum class Common : std::uint8_t { none, at, rotate, scale, material, name, visible, casts_shadow };
 
-/// One property of a noun, from its field table or from those that all shapes (patterns, lights) have.
+/// One property of a noun, from its field table or from those common to all shapes (patterns, lights).
 struct Property {
   std::string_view name;
   PropertyType type = PropertyType::number;
@@ -48,23 +48,23 @@ struct Property {
   std::string_view default_text;
   std::string_view help;
   std::span<const std::string_view> choices;
-  const scene::Field* field = nullptr; ///< where `common` is none
-  std::array<Symbol, 2> parts{};       ///< of a metal n and k, of what is absorbed colour and distance; see `intern`
+  const scene::Field* field = nullptr; ///< if `common` is none
+  std::array<Symbol, 2> parts{};       ///< of a metal n and k, of absorption colour and distance; see `intern`
 
   bool is_textured() const { return field && field->is_textured; }
 };
 
-/// What a noun makes, of whatever kind it is, with nothing written. Nothing for the scene itself.
+/// What a noun makes, of whatever kind, with no property set. Nothing for the scene itself.
 using Prototype =
     scene::Joined<scene::TypeList<std::monostate, scene::Material, scene::Camera>,
                   scene::Joined<scene::Joined<scene::ShapeKinds, scene::LightKinds>, scene::PatternKinds>>::Variant;
 
-/// What the fields of its table read and set.
+/// The description that the fields of its table read and set.
 inline void* owner(Prototype& made) {
   return std::visit([](auto& of_kind) -> void* { return &of_kind; }, made);
 }
 
-/// As one of a narrower list, in which its kind must be.
+/// As a variant over a narrower list, which must contain its kind.
 template <class Variant>
 Variant narrowed(const Prototype& made) {
   return std::visit(
@@ -85,9 +85,9 @@ struct NodeType {
   std::vector<Property> properties;
   Prototype prototype;
   scene::Combination::Operation operation = scene::Combination::Operation::unite;
-  std::vector<std::uint8_t> by_symbol; ///< position in `properties` + 1 by symbol number; filled by `NodeTypes::intern`
+  std::vector<std::uint8_t> by_symbol; ///< index in `properties` + 1 by symbol number; filled by `NodeTypes::intern`
 
-  /// Position in `properties`, or nothing. By symbol once the names are interned.
+  /// Index in `properties`, or nothing. By symbol once the names are interned.
   std::optional<std::uint16_t> find(std::string_view property) const;
   std::optional<std::uint16_t> find(Symbol property) const {
     const auto i = static_cast<std::size_t>(property);
@@ -101,12 +101,12 @@ struct NodeType {
 };
 
 /// The table of all built-in nouns, assembled from the field tables of the scene description: nothing here knows what
-/// properties a sphere has. References to its nouns stay valid as long as it lives.
+/// properties a sphere has. References to its nouns stay valid for its lifetime.
 class NodeTypes {
 public:
   NodeTypes();
   /// Interns all names of nouns, properties and choices, and fills the nouns' `by_symbol`. To be called first on a
-  /// table, so that the symbols are small.
+  /// symbol table, so that the symbols are small.
   void intern(SymbolTable& symbols);
 
   std::span<const NodeType> all() const { return nouns_; }
@@ -117,7 +117,7 @@ public:
   const NodeType& group() const { return *group_; }
   const NodeType& material() const { return *material_; }
   const NodeType& combination(scene::Combination::Operation operation) const;
-  /// The scene itself, whose properties stand at the top level; it is not a name that can be written.
+  /// The scene itself, whose properties are set at the top level; it has no name in the language.
   const NodeType& scene() const { return scene_; }
 
 private:

@@ -41,7 +41,7 @@ std::optional<Diagnostic> mistake_of(const Property& property, const std::option
   return error({}, fmt::format("`{}` {}", property.name, violation->rule), violation->found, {});
 }
 
-/// Why a value is no vector of three numbers.
+/// Why a value is not a vector of three numbers.
 Diagnostic no_vector(const Property& property, const Value& value) {
   Diagnostic mistake = wrong_type(property, value);
   if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
@@ -146,7 +146,7 @@ private:
   std::set<const Thing*> seen_;
 };
 
-/// A pattern where there can be none.
+/// A pattern where none is allowed.
 Diagnostic must_be_constant(const Property& property, const Value& value) {
   Diagnostic mistake = wrong_type(property, value);
   mistake.notes.push_back({std::nullopt, fmt::format("{}: write one number", property.field->constant_because)});
@@ -252,7 +252,7 @@ std::string_view describe(const Property& property) {
 
 std::optional<Diagnostic> check_value(const Property& property, const Value& value) {
   if (value.is_poison()) return std::nullopt;
-  // What a pattern holds was checked as colours when it was made.
+  // The contents of a pattern were checked as colours when it was made.
   if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
   if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
   if (is_function(value) && property.is_textured())

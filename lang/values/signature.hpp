@@ -7,7 +7,7 @@
 
 namespace rt::lang {
 
-/// The types a parameter of a built-in function takes, as a set.
+/// The set of types that a parameter of a built-in function accepts.
 enum class ArgumentType : std::uint16_t {
   number = 1,
   boolean = 2,
@@ -24,14 +24,14 @@ struct SignatureParameter {
   std::string_view name;
   unsigned types = 0;
   std::string_view types_text;   ///< "number or vector"
-  std::string_view default_text; ///< empty where it must be given, unless `is_optional`
+  std::string_view default_text; ///< empty if it must be given, unless `is_optional`
   bool is_optional = false;
   bool is_rest = false; ///< takes all further arguments
   constexpr bool takes(ArgumentType type) const { return (types & static_cast<unsigned>(type)) != 0; }
 };
 
-/// The parameters of a built-in function, read at compile time from a text such as
-/// `x: number or vector, low: number = 0, keys…: any`. A default of `?` says that the parameter may be left out.
+/// The parameters of a built-in function, parsed at compile time from a text such as `x: number or vector, low: number
+/// = 0, keys…: any`. A default of `?` means that the parameter may be omitted.
 class Signature {
 public:
   static constexpr std::size_t most = 8;

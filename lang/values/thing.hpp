@@ -13,14 +13,14 @@
 
 namespace rt::lang {
 
-/// A property that was written: its position in `NodeType::properties`, or `parameter_id` of a def's parameter.
+/// A property that was set: its index in `NodeType::properties`, or `parameter_id` of a def's parameter.
 struct PropertyValue {
   Value value;
   Span span; ///< of the value
   std::uint16_t id = 0;
 };
 
-/// A few properties on the stack: those of a thing that is put into the scene without ever being a value.
+/// A few properties on the stack: those of a thing that is added to the scene without ever being a value.
 class PropertyList {
 public:
   static constexpr std::size_t most = 24;
@@ -50,20 +50,20 @@ struct Chain : Cell {
   std::vector<scene::Step> steps;
 };
 
-/// What a composite holds, shared by all its copies: placed often, it is one shape with many objects.
+/// The contents of a composite, shared by all its copies: placed often, it is one shape with many objects.
 struct Content : Cell {
   static constexpr ValueKind cell_kind = ValueKind::content;
-  std::vector<scene::Object> members; ///< until `shape` is made of them
+  std::vector<scene::Object> members; ///< until `shape` is made from them
   std::vector<scene::Light> lights;
   std::vector<PropertyValue> defaults;  ///< the properties in a def's body
   std::optional<scene::ShapeRef> shape; ///< in the scene's shapes
-  bool is_pending = false;              ///< of a def whose body was not run yet
+  bool is_pending = false;              ///< of a def whose body has not been run yet
   bool is_nothing = false;              ///< there are no members
-  bool is_cut = false;                  ///< a difference or intersection that nothing is left of
+  bool is_cut = false;                  ///< an empty difference or intersection
 };
 
-/// A thing: a noun, the properties that were written, the chain; of a composite, what is in it. It never changes: a
-/// copy with changes is another thing.
+/// A thing: a noun, the properties that were set, the chain; for a composite, its contents. It is immutable: a copy
+/// with changes is a different thing.
 struct Thing : Cell {
   static constexpr std::uint32_t no_color = 0xffffffff;
   static constexpr ValueKind cell_kind = ValueKind::thing;
@@ -72,13 +72,13 @@ struct Thing : Cell {
   Ref<Frame> def_frame; ///< where the def was declared
   std::vector<PropertyValue> properties;
   Ref<Chain> chain;
-  mutable Ref<Content> content;       ///< of a def: once its body was run
+  mutable Ref<Content> content;       ///< of a def: once its body has been run
   Span span;                          ///< where it was written
   std::uint32_t css_color = no_color; ///< `gold` is a material and the name of a colour: 0xrrggbb
-  Symbol default_name = no_symbol;    ///< where it has no `name`: of its binding, else of what it is a copy of
-  bool is_bound = false;              ///< that is its own binding's
+  Symbol default_name = no_symbol;    ///< if it has no `name`: of its binding, else of what it is a copy of
+  bool is_bound = false;              ///< the binding is its own
 
-  // Remembered by the builder of the scene description, so that copies share what they have in common.
+  // Cached by the builder of the scene description, so that copies share what they have in common.
   mutable std::optional<scene::ShapeRef> shape;
   mutable std::uint32_t built = 0xffffffff; ///< id of the material or pattern
 

@@ -33,7 +33,7 @@ struct RangeValue {
   double from = 0, to = 0, step = 1;
 };
 
-/// One value of the language: 32 bytes, of which numbers, vectors, colours and ranges need no more.
+/// A value of the language: 32 bytes, enough to store numbers, vectors, colours and ranges in place.
 class Value {
 public:
   Value() : Value(ValueKind::none) {}
@@ -89,7 +89,7 @@ public:
   bool is_vector3() const { return kind_ == ValueKind::vector && detail_ == 3; }
   bool is_shared() const { return kind_ >= ValueKind::string; }
 
-  // Each of these needs its own kind.
+  // Each requires its kind.
   double number() const { return expect(ValueKind::number).number; }
   bool truth() const { return expect(ValueKind::boolean), detail_ != 0; }
   const Vec3& vector() const { return expect(ValueKind::vector).vector; }
@@ -168,7 +168,7 @@ struct Closure : Cell {
   scene::FunctionRef compiled; ///< as a function of a point, once a property has asked for it
 };
 
-/// What `use` gives: the names of a file.
+/// The value of `use`: the names of a file.
 struct Module : Cell {
   static constexpr ValueKind cell_kind = ValueKind::module;
   Module(const ModuleInfo& m, Ref<Frame> f) : info(&m), frame(std::move(f)) {}
@@ -176,15 +176,15 @@ struct Module : Cell {
   Ref<Frame> frame;
 };
 
-/// The values of the names of one call (or of one file, or of one turn of a loop that functions are made in). `parent`
-/// is the frame of the text around it.
+/// The values of the names of one call (or of one file, or of one iteration of a loop in which functions are made).
+/// `parent` is the enclosing frame.
 struct Frame : Cell {
   static constexpr ValueKind cell_kind = ValueKind::frame;
   Frame(Ref<Frame> p, std::uint32_t n);
   ~Frame();
   Value& operator[](std::uint32_t slot) { return slots()[slot]; }
   Value* slots() { return reinterpret_cast<Value*>(this + 1); }
-  /// Forgets all values: what they refer to may refer to the frame.
+  /// Drops all values: what they refer to may refer to the frame.
   void clear();
 
   Ref<Frame> parent;
@@ -193,24 +193,24 @@ struct Frame : Cell {
 Ref<Frame> make_frame(Heap& heap, Ref<Frame> parent, std::uint32_t size);
 
 Value make_string(Heap& heap, std::string text);
-/// A list in its one form: two or three numbers are a `vector`.
+/// A list in its canonical form: two or three numbers are a `vector`.
 Value make_list(Heap& heap, std::vector<Value> items);
 Value make_record(Heap& heap, std::vector<Record::RecordEntry> entries);
 
-/// How many elements a range has: floor((b − a)/step + 1e-9) + 1, one less where `..<` leaves out the end. Infinite or
-/// NaN where its numbers are; a step of 0 counts as NaN.
+/// How many elements a range has: floor((b − a)/step + 1e-9) + 1, one less if `..<` excludes the end. Infinite or NaN
+/// if its numbers are; a step of 0 counts as NaN.
 double count(const RangeValue& range, bool excludes_end);
 
-/// A list, vector or range seen as a sequence; `is_sequence` must hold.
+/// Whether the value is a list, vector or range; the functions below require it.
 bool is_sequence(const Value& value);
-/// The number of elements; a range's must have been checked to be no more than fits.
+/// The number of elements; that of a range must have been checked to fit.
 std::size_t sequence_size(const Value& value);
 Value sequence_at(const Value& value, std::size_t i);
 
-/// How deep lists, records and things are nested in a value.
+/// The nesting depth of lists, records and things in a value.
 std::uint16_t depth_of(const Value& value);
 
-/// Equality by content; functions are equal where they are the same.
+/// Equality by content; functions are equal if they are the same.
 bool equal(const Value& a, const Value& b);
 /// Equal values have equal hashes.
 std::uint64_t hash(const Value& value);

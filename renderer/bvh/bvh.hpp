@@ -11,13 +11,13 @@
 #include <span>
 #include <vector>
 
-/// The bounding volume hierarchy: boxes in, leaf callbacks out. It knows no shapes. There are two, behind one interface
-/// and held to the same answers: Embree's, and a plain one of our own that needs no other library. Either may work in
-/// less than double precision, but never misses a leaf; the callbacks get the ray as it was asked, and decide alone
-/// what is hit.
+/// The bounding volume hierarchy: boxes in, leaf callbacks out. It knows nothing of shapes. Two implementations share
+/// one interface and must give the same answers: Embree's, and a plain one of our own that needs no other library.
+/// Either may work in less than double precision but never misses a leaf; the callbacks get the ray as given and alone
+/// decide what is hit.
 namespace rt::bvh {
 
-/// Who builds and traverses trees.
+/// Which implementation builds and traverses the trees.
 enum class Builder { embree, portable };
 /// The CMake option RTLANG_BVH.
 extern const Builder default_builder;
@@ -29,7 +29,7 @@ class PortableTree;
 /// What trees are built with; it must outlive them.
 class Device {
 public:
-  /// `threads` to build with, 0: one for each core. Throws std::runtime_error if Embree refuses.
+  /// `threads` to build with; 0: one per core. Throws std::runtime_error if Embree fails to initialise.
   explicit Device(int threads, Builder builder = default_builder);
   ~Device();
   Device(const Device&) = delete;
@@ -40,14 +40,14 @@ private:
   std::unique_ptr<EmbreeDevice> embree_; // null: the portable builder needs nothing
 };
 
-/// A ray on its way through a tree. Callbacks receive it, as a type derived from it; they look for hits in its interval
-/// and lower the interval's upper end when they accept one, which culls what lies beyond. Leaves at exactly that
-/// distance are still shown, so that callbacks can break ties by a rule of their own.
+/// A ray traversing a tree. Callbacks receive it as a type derived from it; they look for hits in its interval and
+/// lower the interval's upper end when they accept one, which culls what lies beyond. Leaves at exactly that distance
+/// are still visited, so that callbacks can break ties by a rule of their own.
 class Query {
 public:
   Query(const Ray& r, const Interval& i) : ray(r), interval(i), inverse_square(1 / dot(r.direction, r.direction)) {}
 
-  Ray ray; ///< in the tree's space; t counts lengths of its direction, which need not be a unit vector
+  Ray ray; ///< in the tree's space; t is in multiples of its direction, which need not be a unit vector
   Interval interval;
   double inverse_square; ///< 1 / |direction|²
 
@@ -57,26 +57,26 @@ private:
   double scale_ = 1;
 };
 
-/// How many queries may travel together.
+/// How many queries can be traced as one packet.
 inline constexpr std::size_t packet_size = 16;
 
-/// Which queries of a packet, a bit for each.
+/// A subset of a packet's queries, one bit each.
 using QueryMask = std::uint32_t;
 
-/// A set of leaves with its type erased: functions per kind of leaf, without a switch over kinds, for one query and for
-/// those of a packet that the leaf is shown to.
+/// A type-erased set of leaves: functions per kind of leaf instead of a switch over kinds, for a single query and for
+/// those queries of a packet that reach the leaf.
 struct LeafSet {
   const void* leaves;
   void (*nearest)(const void* leaves, std::uint32_t i, Query& query);
   bool (*blocks)(const void* leaves, std::uint32_t i, Query& query);
-  /// The result: those whose intervals it shortens; those that it blocks.
+  /// Returns the queries whose intervals it shortens, and those that it blocks.
   QueryMask (*nearest_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   QueryMask (*blocks_of)(const void* leaves, std::uint32_t i, Query* const* queries, QueryMask which);
   Box3 (*bounds)(const void* leaves, std::uint32_t i);
   std::uint32_t size;
 };
 
-/// A tree over leaves of several kinds. A set of leaves of one kind has
+/// A tree over leaves of several kinds. A set of leaves of one kind must provide
 ///
 ///   std::uint32_t size() const;
 ///   Box3 bounds(std::uint32_t i) const;                   // finite, not empty
@@ -85,14 +85,14 @@ struct LeafSet {
 class Tree {
 public:
   Tree();
-  /// For leaves inside `bounds`, the union of their boxes (finite, not empty), which fixes how boxes and rays are
+  /// For leaves inside `bounds`, the union of their boxes (finite, not empty), which determines how boxes and rays are
   /// rounded. `add` the sets, then `build`.
   Tree(const Device& device, const Box3& bounds);
   ~Tree();
   Tree(Tree&&) noexcept;
   Tree& operator=(Tree&&) noexcept;
 
-  /// `leaves` must stay in place as long as the tree is used. An empty set is ignored.
+  /// `leaves` must stay where it is as long as the tree is used. An empty set is ignored.
   template <class NearestQuery, class ShadowQuery, class Leaves>
   void add(const Leaves& leaves) {
     if (leaves.size() == 0) return;
@@ -131,14 +131,14 @@ public:
 
   bool is_empty() const { return !embree_ && !portable_; }
 
-  /// Shows `query` to the `nearest` callbacks of the leaves in its way, roughly from near to far. `query` must be of
-  /// the types that the sets were added with.
+  /// Calls `nearest` with `query` for the leaves along its ray, roughly front to back. `query` must be of the types
+  /// that the sets were added with.
   void nearest(Query& query) const;
-  /// Shows it to `blocks`, in no particular order; true if one of them returned true.
+  /// Calls `blocks`, in no particular order; true if one of the calls returned true.
   bool blocks(Query& query) const;
 
-  /// The same for up to `packet_size` queries whose rays run close together: each is shown the same leaves as on its
-  /// own, and what the callbacks decide for one does not depend on the others.
+  /// The same for up to `packet_size` queries with coherent rays: each visits the same leaves as on its own, and what
+  /// the callbacks decide for one does not depend on the others.
   void nearest(std::span<Query* const> queries) const;
   /// One answer for each query.
   std::array<bool, packet_size> blocks(std::span<Query* const> queries) const;

@@ -14,11 +14,11 @@ namespace {
 
 constexpr float single_infinity = std::numeric_limits<float>::infinity();
 
-// In the scaled space all of the scene lies within ±1. A ray starts within ±4, to which it is advanced if need be, and
-// goes no farther than 5√3 there. To single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its
-// direction turns by ε. Embree's traversal (the fast one, whatever the scene's flags, for user geometries) gets each
-// slab's t right to 5ε of t, and compares those of two axes: a slip of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε
-// leaves room for t's own rounding.
+// In scaled space the whole scene lies within ±1. A ray starts within ±4, where it is advanced to if need be, and
+// travels at most 5√3 there. In single precision (ε = 2⁻²⁴) its origin moves by 2ε along each axis and its direction
+// turns by ε. Embree's traversal (the fast one for user geometries, whatever the scene's flags) computes each slab's t
+// to within 5ε of t, and compares those of two axes: an error of 2ε + (1 + 2 · 5) · 5√3 ε < 98ε in all. 128ε leaves
+// room for t's own rounding.
 constexpr double reach = 4, padding = 0x1p-17;
 
 void check(RTCDevice device) {
@@ -37,14 +37,14 @@ float round_up(double value) {
   return std::nextafter(single, single_infinity);
 }
 
-// RTLANG_EMBREE adds Embree's own settings: with `isa=avx2` tests and measurements see what other processors do.
+// RTLANG_EMBREE adds Embree's own settings: `isa=avx2` lets tests and measurements see what other processors do.
 std::string settings(int threads) {
   std::string all = "set_affinity=0,threads=" + std::to_string(std::max(threads, 0));
   if (const char* const more = std::getenv("RTLANG_EMBREE")) all.append(",").append(more);
   return all;
 }
 
-// Whether the ray meets the box within its interval; if so, `start` is where it enters or already is inside.
+// Whether the ray hits the box within its interval; if so, `start` is where it enters or already is inside.
 bool meets(const Query& query, const Box3& box, double& start) {
   double from = query.interval.lower, to = query.interval.upper;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -61,7 +61,7 @@ bool meets(const Query& query, const Box3& box, double& start) {
   return from <= to;
 }
 
-// Of a packet, whose lanes are its queries.
+// For a packet, whose lanes are its queries.
 QueryMask queries_of(const int* are_valid) {
   QueryMask mask = 0;
   for (unsigned lane = 0; lane < packet_size; ++lane) mask |= (static_cast<QueryMask>(are_valid[lane]) & 1) << lane;
@@ -84,7 +84,7 @@ EmbreeTree::EmbreeTree(const EmbreeDevice& device, const Box3& bounds)
 
   const double extent = max_component(bounds.extent()) * 0.5;
   scale_ = extent > 0 ? std::exp2(-std::ceil(std::log2(extent))) : 1;
-  // A ray is advanced to these bounds: a little wider than the leaves', so that its rounding misses none of them.
+  // A ray is advanced to these bounds: slightly wider than the leaves', so that its rounding misses none of them.
   const double margin = padding / scale_ + 0x1p-50 * max_component(abs(center_));
   bounds_ = {bounds.lower - Vec3{margin, margin, margin}, bounds.upper + Vec3{margin, margin, margin}};
 }
@@ -125,8 +125,8 @@ inline float EmbreeTree::single_t(const Query& query) {
   return t < std::numeric_limits<float>::max() ? static_cast<float>(t) : single_infinity;
 }
 
-// From Embree's lanes to the leaf's own function, which knows nothing of them. A ray's id is its query's number; a
-// packet comes as it was sent, in sixteen lanes.
+// From Embree's lanes to the leaf's own function, which knows nothing of them. A ray's id is its query's index; a
+// packet arrives as it was sent, in sixteen lanes.
 void EmbreeTree::on_nearest(const RTCIntersectFunctionNArguments* args) {
   const Geometry& set = *static_cast<const Geometry*>(args->geometryUserPtr);
   Query* const* queries = reinterpret_cast<Context*>(args->context)->queries;
@@ -171,7 +171,7 @@ inline bool EmbreeTree::enter(Query& query, SingleRay& single) const {
     if (!meets(query, bounds_, query.start_)) return false;
     origin = (query.ray.at(query.start_) - center_) * scale_;
   }
-  // How long it is does not matter as long as it is about a unit vector, as most are.
+  // Its length does not matter as long as it is roughly a unit vector, as most are.
   if (!(query.inverse_square > 0.25 && query.inverse_square < 4)) {
     const double speed = std::sqrt(dot(direction, direction));
     direction = direction * (1 / speed);
@@ -185,7 +185,7 @@ inline bool EmbreeTree::enter(Query& query, SingleRay& single) const {
   return true;
 }
 
-// Embree reads four numbers at a time, soon after: that goes faster if they were written like that.
+// Embree loads four numbers at a time, soon after: storing them the same way allows store forwarding.
 inline void EmbreeTree::fill(const SingleRay& single, RTCRay& ray) {
   using Four = float __attribute__((vector_size(16)));
   const Four origin{single.origin[0], single.origin[1], single.origin[2], 0};
@@ -221,7 +221,7 @@ bool EmbreeTree::blocks(Query& query) const {
   return ray.tfar < 0;
 }
 
-// Fills in the rays of a packet; those without a query, or whose query misses the bounds, are not valid.
+// Sets up the rays of a packet; those without a query, or whose query misses the bounds, are not valid.
 template <class Rays>
 void EmbreeTree::enter_all(std::span<Query* const> queries, Rays& rays, int* are_valid) const {
   for (std::size_t i = 0; i < packet_size; ++i) {
@@ -242,8 +242,8 @@ void EmbreeTree::enter_all(std::span<Query* const> queries, Rays& rays, int* are
   }
 }
 
-// Where the processor has no instructions for sixteen rays, Embree's way around shows leaves to rays that are not
-// there.
+// On processors without instructions for sixteen rays, Embree's emulation passes invalid rays to the
+// leaves.
 void EmbreeTree::nearest(std::span<Query* const> queries) const {
   if (!device_->has_packets()) {
     for (Query* const query : queries) nearest(*query);
@@ -271,7 +271,7 @@ std::array<bool, packet_size> EmbreeTree::blocks(std::span<Query* const> queries
   RTCRay16 rays;
   enter_all(queries, rays, are_valid);
   Context context(queries.data());
-  // Not as a coherent packet, in which Embree shows a leaf to a query more than once. It is no slower.
+  // Not as a coherent packet: Embree then visits a leaf with the same query more than once. It is no slower.
   rtcOccluded16(are_valid, scene_.get(), &context.embree, &rays);
   for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = are_valid[i] != 0 && rays.tfar[i] < 0;
   return answers;

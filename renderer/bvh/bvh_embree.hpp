@@ -10,7 +10,7 @@ namespace rt::bvh {
 
 class EmbreeDevice {
 public:
-  /// `threads` to build with, 0: one for each core. Throws std::runtime_error if Embree refuses.
+  /// `threads` to build with; 0: one per core. Throws std::runtime_error if Embree fails to initialise.
   explicit EmbreeDevice(int threads);
 
   RTCDevice get() const { return device_.get(); }
@@ -24,7 +24,7 @@ private:
   bool has_packets_ = false;
 };
 
-/// A tree that Embree (3.13) builds and traverses, in single precision. Each set of leaves is a geometry of its own.
+/// A tree that Embree (3.13) builds and traverses in single precision. Each set of leaves is a separate geometry.
 class EmbreeTree {
 public:
   EmbreeTree(const EmbreeDevice& device, const Box3& bounds);
@@ -43,8 +43,8 @@ private:
   struct Release {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
-  // What Embree hands through to the callbacks: its own context, and the way back to the queries, which the rays' ids
-  // count.
+  // What Embree passes through to the callbacks: its own context, and the queries, which the rays' ids
+  // index.
   struct Context {
     RTCIntersectContext embree;
     Query* const* queries;
@@ -55,7 +55,7 @@ private:
     const EmbreeTree* tree;
   };
 
-  struct SingleRay; // a ray as Embree gets it, in single precision
+  struct SingleRay; // a ray as Embree takes it, in single precision
   bool enter(Query& query, SingleRay& single) const;
   static void fill(const SingleRay& single, RTCRay& ray);
   template <class Rays>
@@ -71,8 +71,8 @@ private:
   const EmbreeDevice* device_;
   std::vector<Geometry> geometries_;
   Box3 bounds_;
-  Vec3 center_;      // of the bounds; subtracted in double, so that a scene far from the origin loses nothing
-  double scale_ = 1; // a power of two that brings the bounds to about unit size
+  Vec3 center_;      // of the bounds; subtracted in double, so that a scene far from the origin loses no precision
+  double scale_ = 1; // a power of two that scales the bounds to about unit size
 };
 
 } // namespace rt::bvh

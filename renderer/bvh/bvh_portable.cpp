@@ -11,14 +11,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::uint32_t most_in_leaf = 2;
 constexpr std::size_t bin_count = 16;
-// Below this depth nodes are halved, so that no tree is deeper than the traversal's stack: 2³² leaves add 32 levels.
+// Below this depth nodes are halved, so that no tree is deeper than the traversal stack: 2³² leaves add 32 levels.
 constexpr std::uint32_t deepest_by_area = 64;
 constexpr std::size_t stack_size = deepest_by_area + 34;
 
-// How far a leaf's own arithmetic may go beyond its box: of the size of the whole tree. A ray that comes from 2²⁴ times
-// as far is off by about as much.
+// How far a leaf's own arithmetic may exceed its box, relative to the size of the whole tree. A ray that comes from 2²⁴
+// times as far is off by about as much.
 constexpr double relative_padding = 0x1p-24;
-// And how far a box's t may be off, relative to itself: some roundings.
+// And how far a box's t may be off, relative to itself: a few roundings.
 constexpr double slack = 0x1p-48;
 
 double half_area(const Box3& box) {
@@ -30,7 +30,7 @@ std::size_t longest_axis(const Vec3& v) {
   return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
 }
 
-// The ray as the test of a box needs it.
+// The ray, prepared for box tests.
 class SlabTest {
 public:
   explicit SlabTest(const Ray& ray)
@@ -38,13 +38,13 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis) is_negative_[axis] = std::signbit(inverse_[axis]);
   }
 
-  /// Whether the ray meets the box within the interval, and where it enters: both on the safe side.
+  /// Whether the ray hits the box within the interval, and where it enters, both conservatively.
   bool meets(const Box3& box, const Interval& range, double& enter) const {
     double from = range.lower, to = range.upper;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double lower = (box.lower[axis] - origin_[axis]) * inverse_[axis];
       const double upper = (box.upper[axis] - origin_[axis]) * inverse_[axis];
-      // A ray within a slab's plane gives 0 · ∞, which is not a number: these comparisons pass over it.
+      // A ray within a slab's plane gives 0 · ∞, which is NaN: these comparisons ignore it.
       from = std::max(from, is_negative_[axis] ? upper : lower);
       to = std::min(to, is_negative_[axis] ? lower : upper);
     }
@@ -109,7 +109,7 @@ void PortableTree::build(std::vector<LeafSet> sets) {
   }
 }
 
-// Orders the leaves so that the first of the two parts comes first, and returns its size.
+// Partitions the leaves in two and returns the size of the first part.
 std::size_t PortableTree::split(std::span<BuildRef> refs, bool by_area) {
   Box3 centers;
   for (const BuildRef& ref : refs) centers.extend(ref.center);
@@ -123,7 +123,7 @@ std::size_t PortableTree::split(std::span<BuildRef> refs, bool by_area) {
     std::array<std::size_t, bin_count> counts{};
     for (const BuildRef& ref : refs) boxes[bin_of(ref)].extend(ref.box), ++counts[bin_of(ref)];
 
-    std::array<double, bin_count> costs{}; // of what lies from a bin on
+    std::array<double, bin_count> costs{}; // of the leaves from a bin on
     Box3 box;
     std::size_t count = 0;
     for (std::size_t bin = bin_count; bin-- > 1;) {
@@ -150,7 +150,7 @@ std::size_t PortableTree::split(std::span<BuildRef> refs, bool by_area) {
   return half;
 }
 
-// Shows the leaves in the query's way to `show`, nearer nodes first, until it returns true.
+// Passes the leaves along the query's ray to `show`, nearer nodes first, until it returns true.
 template <class Show>
 bool PortableTree::traverse(Query& query, Show&& show) const {
   struct Pending {

@@ -4,7 +4,7 @@
 
 namespace rt::bvh {
 
-/// A binary tree in double precision, built by the surface area heuristic over bins (Wald, On fast Construction of
+/// A binary tree in double precision, built with the binned surface area heuristic (Wald, On fast Construction of
 /// SAH-based Bounding Volume Hierarchies, 2007). The same leaves give the same tree.
 class PortableTree {
 public:
@@ -22,7 +22,7 @@ private:
   struct Node {
     Box3 box;
     std::uint32_t first = 0; // its first leaf, or the first of its two children
-    std::uint32_t count = 0; // of its leaves; 0: it has children
+    std::uint32_t count = 0; // number of its leaves; 0: an interior node
   };
   struct BuildRef; // a leaf while the tree is being built
   struct Task;     // a node to be split

@@ -10,12 +10,12 @@
 namespace rt {
 namespace {
 
-// Fewer shapes are faster to go through than a tree. What is more than a shape is worth the test of its box, and the
-// order from near to far: without it a group of groups of groups costs as much as all its copies.
+// Fewer shapes are faster to test one by one than through a tree. Anything more complex than a shape is worth its box
+// test and the front-to-back order: without it nested groups would cost as much as all their copies.
 constexpr std::size_t least_for_tree = 4;
 
-// Between equally near leaves of one object. All its sets of leaves are parts of one aggregate, so that the order of
-// their addresses is always the same.
+// Between equally near leaves of one object. All its sets of leaves are in a single aggregate, so the order of their
+// addresses is always the same.
 bool is_before(const void* leaves, std::uint32_t index, const RayHit& other) {
   if (leaves != other.leaves) return std::less<>()(leaves, other.leaves);
   return index < other.index;

@@ -45,26 +45,26 @@ private:
   detail::LeafSetsOf<Geometries>::Type sets_;
 };
 
-/// What is placed as one: the scene itself, or a group that stands in it more than once. It holds objects, numbered by
-/// slots in the order of declaration, each with any number of leaves. An instance of another aggregate takes one slot
-/// here, but as many places in the scene's order as there are objects in it.
+/// What is placed as a unit: the scene itself, or a group that occurs in it more than once. It holds objects, numbered
+/// by slots in the order of declaration, each with any number of leaves. An instance of another aggregate takes one
+/// slot here, but counts in the scene's order as many times as there are objects in it.
 class Aggregate {
 public:
   Aggregate() = default;
   Aggregate(const Aggregate&) = delete; // queries point to it
   Aggregate& operator=(const Aggregate&) = delete;
 
-  /// Shows the query to what it may hit.
+  /// Finds the nearest hit, if it is nearer than the query's.
   void nearest(NearestQuery& query) const;
   bool blocks(ShadowQuery& query) const;
-  /// The same for up to `bvh::packet_size` queries with rays that run close together. They all point to queries of
-  /// these types.
+  /// The same for up to `bvh::packet_size` queries with coherent rays. The pointers must be to queries of these
+  /// types.
   void nearest(std::span<bvh::Query* const> queries) const;
   std::array<bool, bvh::packet_size> blocks(std::span<bvh::Query* const> queries) const;
 
-  /// The box around its leaves: empty maybe; infinite where they are.
+  /// The bounding box of its leaves: possibly empty; infinite where they are.
   const Box3& box() const { return box_; }
-  /// How far from the origin what is finite in it reaches, coordinates added up: what rounding errors follow from.
+  /// The greatest distance of its finite parts from the origin, as a sum of coordinates: it scales rounding errors.
   double reach() const { return reach_; }
 
   /// Calls f with each set of its leaves.
@@ -74,40 +74,40 @@ public:
     unbounded_.for_each(f);
   }
 
-  /// How many objects come before the one in `slot`, those within instances counted one by one.
+  /// How many objects precede the one in `slot`, counting those within instances one by one.
   std::uint64_t order(std::uint32_t slot) const;
   std::uint64_t object_count() const { return object_count_; }
 
   /// An instance in the aggregate.
   struct Step {
-    const InstanceLeaves* leaves; ///< null where all of it is empty
+    const InstanceLeaves* leaves; ///< null if it contains nothing at all
     std::uint32_t index;
     std::uint32_t slot;
     std::uint64_t order; ///< of its first object
     std::uint64_t object_count;
   };
-  /// The instance that holds the object of that order, or null: then it is one of the aggregate's own, in slot `slot`.
+  /// The instance that contains the object of that order; null if that is one of the aggregate's own, in slot `slot`.
   const Step* step_to(std::uint64_t order, std::uint32_t& slot) const;
 
-  /// The positions that lead from the aggregate to the object in a slot: in its list, in that one's members, and so on.
+  /// The indices that lead from the aggregate to the object in a slot: into its list, then its members', and so on.
   std::vector<std::uint32_t> path(std::uint32_t slot) const;
 
 private:
   friend class AggregateBuilder;
 
-  // Slots that follow each other and come from objects of one list that follow each other.
+  // Consecutive slots of consecutive objects of one list.
   struct Run {
     std::uint32_t slot;
     std::uint32_t source;
     std::uint32_t position;
   };
-  // A group whose members stand directly in the aggregate: the parent's source and the position in its list.
+  // A group whose members are directly in the aggregate: the parent's source and the index in its list.
   struct Source {
     std::uint32_t parent;
     std::uint32_t position;
   };
 
-  // A leaf outside the tree: it has no finite box, or there are only few.
+  // A leaf outside the tree: it has no finite box, or there are too few for a tree.
   struct LooseLeaf {
     const LeafKind* kind;
     const void* leaves;
@@ -115,7 +115,7 @@ private:
   };
 
   LeafSets bounded_, unbounded_;
-  bvh::Tree tree_; // over the first, unless they are loose as well
+  bvh::Tree tree_; // over the former, unless they are loose as well
   std::vector<LooseLeaf> loose_leaves_;
   Box3 box_;
   double reach_ = 0;
@@ -125,7 +125,7 @@ private:
   std::vector<Source> sources_{{0, 0}};
 };
 
-/// Fills an aggregate, object by object in the order of declaration.
+/// Builds an aggregate, object by object in the order of declaration.
 class AggregateBuilder {
 public:
   explicit AggregateBuilder(Aggregate& aggregate) : aggregate_(aggregate) {}
@@ -133,10 +133,10 @@ public:
   /// A group whose members become objects of the aggregate: the source of their list. The aggregate's own list is
   /// source 0.
   std::uint32_t add_source(std::uint32_t parent, std::uint32_t position);
-  /// The next object, of the list `source`: its slot. All its leaves are tagged with it, in whatever number.
+  /// The next object, of the list `source`; returns its slot. All its leaves, however many, are tagged with it.
   std::uint32_t add_object(std::uint32_t source, std::uint32_t position);
 
-  /// A leaf whose geometry stands in the aggregate by `map`, which does not flatten it.
+  /// A leaf whose geometry is placed in the aggregate by `map`, which is invertible.
   template <class G>
   void add_shape(const G& own, const Affine& map, LeafTag tag) {
     if (std::optional<G> here = placed(own, map))
@@ -146,16 +146,16 @@ public:
   }
   void add_solid(const SolidLeaves::PlacedSolid& solid, LeafTag tag);
   void add_instance(const Aggregate& aggregate, const Affine& map, LeafTag tag);
-  /// A part of the scene's list that was compiled by itself, and begins there.
+  /// A part of the scene's list that was compiled separately and starts at `begin`.
   void add_part(const Aggregate& aggregate, std::uint32_t begin, LeafTag tag);
 
-  /// Room for that many leaves of the kind, so that the arrays of a large scene do not grow by doubling.
+  /// Reserves room for that many leaves of the kind, so that the arrays of a large scene do not grow by doubling.
   template <class Leaves>
   void reserve(std::size_t count) {
     aggregate_.bounded_.all<Leaves>().reserve(count);
   }
 
-  /// Once all objects are there. Throws std::bad_alloc or std::runtime_error.
+  /// After the last object. Throws std::bad_alloc or std::runtime_error.
   void build(const bvh::Device& device);
 
 private:
@@ -172,11 +172,11 @@ private:
   std::uint32_t slot_count_ = 0;
 };
 
-/// Objects of a scene turned into aggregates: all of them, or a part of the scene's list.
+/// Objects of a scene compiled to aggregates: all of them, or a part of the scene's list.
 struct CompiledObjects {
   std::vector<std::shared_ptr<const CompiledObjects>> parts;
   std::vector<std::unique_ptr<CsgSolid>> solids;
-  std::vector<std::unique_ptr<Aggregate>> aggregates; ///< every one after those it has instances of
+  std::vector<std::unique_ptr<Aggregate>> aggregates; ///< each one after those it has instances of
 
   const Aggregate& root() const { return *aggregates.back(); }
 };

@@ -11,7 +11,7 @@
 namespace rt {
 namespace {
 
-// Objects of one list on the way through the groups that are dissolved.
+// The objects of a list during the traversal of groups that are flattened.
 struct ListFrame {
   std::span<const scene::Object> objects;
   Affine map;        // from their parent's space to the aggregate's
@@ -21,7 +21,7 @@ struct ListFrame {
   std::size_t next = 0;
 };
 
-// What is left of a list between and around its parts.
+// The objects of a list between and around its parts.
 std::vector<std::span<const scene::Object>> outside_of(std::span<const Part> parts,
                                                        std::span<const scene::Object> objects) {
   std::vector<std::span<const scene::Object>> ranges;
@@ -71,7 +71,7 @@ private:
     return &aggregate;
   }
 
-  // One step: the next object of the innermost frame. There is no recursion, because groups may nest deep.
+  // One step: the next object of the innermost frame. Not recursive, because groups may be deeply nested.
   void visit(std::vector<ListFrame>& frames) {
     ListFrame& frame = frames.back();
     if (frame.next == frame.objects.size()) return frames.pop_back();
@@ -93,7 +93,7 @@ private:
     add(object, map, LeafTag(builder_->add_object(frame.source, position), binding, casts_shadow));
   }
 
-  // Most objects of a large scene are only moved.
+  // Most objects of a large scene are only translated.
   Affine placed_in(const Affine& outer, const scene::Object& object) const {
     if (object.transform == scene::no_transform) return {outer.x, outer.y, outer.z, outer.point(object.at)};
     return outer * to_parent(scene_, object);
@@ -139,7 +139,7 @@ private:
         for (const scene::Object& object : objects)
           count +=
               object.shape.kind == scene::kind_of<S> && object.transform == scene::no_transform && object.is_visible;
-        if (std::is_same_v<S, scene::Plane>) return; // is not bounded
+        if (std::is_same_v<S, scene::Plane>) return; // it is unbounded
         builder_->reserve<ShapeLeaves<Baked<GeometryOf<S>>>>(count);
       }
     });
@@ -157,7 +157,7 @@ private:
   std::vector<const Aggregate*> group_aggregates_; // by group
   std::vector<const CsgSolid*> shared_solids_;     // by combination
 
-  AggregateBuilder* builder_ = nullptr; // of the aggregate that is being made
+  AggregateBuilder* builder_ = nullptr; // of the aggregate being built
   std::size_t next_part_ = 0;
 };
 

@@ -13,17 +13,17 @@ namespace rt {
 
 struct CompiledObjects;
 
-/// A range of a scene's list of objects that is compiled by itself. Parts with the same stamp are the same: they hold
-/// equal objects, and what these refer to is unchanged.
+/// A range of a scene's list of objects that is compiled separately. Parts with equal stamps are equal: they hold equal
+/// objects, and what these refer to is unchanged.
 struct Part {
   std::uint32_t begin = 0, end = 0;
   std::uint64_t stamp = 0;
 };
 
-/// Turns objects, the scene's or a range of them, into trees of leaves. Groups that stand in one place only are
-/// dissolved: their members' transforms are multiplied out. A group of some size that stands in several becomes an
-/// aggregate of its own, with an instance for each place. `parts` (by position among the objects, in the order of the
-/// list, without overlap) are `ready`. Throws std::bad_alloc or std::runtime_error.
+/// Compiles objects, the scene's or a range of them, to trees of leaves. A group that is placed only once is flattened:
+/// its transform is multiplied into its members'. A group of some size that is placed several times becomes a separate
+/// aggregate with an instance for each placement. `parts` (by index among the objects, in list order, not overlapping)
+/// are `ready`. Throws std::bad_alloc or std::runtime_error.
 std::shared_ptr<const CompiledObjects> compile(const scene::Scene& scene, std::span<const scene::Object> objects,
                                                const bvh::Device& device, MaterialBindings& bindings,
                                                std::span<const Part> parts = {},
@@ -31,24 +31,24 @@ std::shared_ptr<const CompiledObjects> compile(const scene::Scene& scene, std::s
                                                HitRules rules = HitRules::own);
 
 /// What is kept from one compilation of a growing scene to the next. The scene's tables (shapes, materials, patterns,
-/// transforms) may only grow as long as a cache is used with it, and what was compiled before with a cache must not be
-/// traced once it is used again.
+/// transforms) may only grow while a cache is used with it, and what an earlier compilation returned must not be traced
+/// once the cache is used again.
 class CompileCache {
 public:
-  /// `threads` to build with, 0: one for each core.
+  /// `threads` to build with; 0: one per core.
   explicit CompileCache(int threads) : device_(std::make_shared<bvh::Device>(threads)) {}
 
   struct Counts {
     std::uint64_t parts_built = 0, parts_reused = 0;
     std::uint64_t objects_built = 0, objects_reused = 0; ///< those outside of parts are built each time
   };
-  /// Since the cache was made.
+  /// Since the cache was created.
   const Counts& counts() const { return counts_; }
 
 private:
   friend class CompiledScene;
 
-  // Parts that so many compilations did not need are forgotten.
+  // Parts that this many compilations did not need are evicted.
   static constexpr std::uint64_t patience = 8;
 
   struct CachedPart {

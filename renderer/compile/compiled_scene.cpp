@@ -17,7 +17,7 @@
 namespace rt {
 namespace {
 
-// `binding` is the leaf's or what it inherits.
+// `binding` is the leaf's, or the one it inherits.
 void settle_medium(LeafSurface& s, const MaterialBindings& bindings, const RayHit& hit, BindingId binding) {
   if (s.medium || binding == inherited_binding) return;
   s.medium = s.solids ? s.solids->medium(hit.index, bindings, binding) : binding;
@@ -49,7 +49,7 @@ LeafSurface surface_in(const Aggregate& aggregate, const MaterialBindings& bindi
   return s;
 }
 
-// What attenuations leave of light. They were found in no particular order, and a product's rounding depends on it.
+// The product of the attenuations. They were found in no particular order, and a product's rounding depends on it.
 Color through(std::vector<ShadowAttenuation>& attenuations) {
   if (attenuations.empty()) return white;
   std::sort(attenuations.begin(), attenuations.end(), [](const ShadowAttenuation& a, const ShadowAttenuation& b) {
@@ -140,8 +140,8 @@ void CompiledScene::transmittance(std::span<const ShadowRay> rays, std::span<Tra
     *rays[i].transmittance = blocked[i] ? black : through(scratch[i].attenuations);
 }
 
-// What does not block light is rare: only where it is met is the rest of the ray looked at as a whole, because what
-// does may be just as far.
+// Objects that cast no shadow are rare: only if the nearest hit is on one is the rest of the ray examined, because an
+// object that casts one may be at the same distance.
 RayHit CompiledScene::nearest_casting(const Ray& ray, const Interval& range, TraceScratch& scratch) const {
   const RayHit nearest_hit = nearest(ray, range, scratch);
   if (!nearest_hit || casts_shadow(nearest_hit)) return nearest_hit;
@@ -244,7 +244,7 @@ std::vector<Medium> CompiledScene::around(const Vec3& p) const {
   if (!uses_ior()) return found;
   TraceScratch scratch;
   const MaterialBindings& bindings = *bindings_;
-  // Any direction will do: the query is about the boxes that its origin is in.
+  // Any direction will do: the query is about the boxes that contain its origin.
   const Ray ray{p, {1, 0, 0}};
   InspectQuery query(ray, {0, 0}, *root_, 0, bindings, {bindings.default_binding(), &ray}, scratch);
   query.inspects = true;

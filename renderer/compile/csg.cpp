@@ -81,7 +81,7 @@ void CsgSolid::push_node(std::uint32_t index, const Line& line, TraceScratch& sc
   const std::size_t begin = list.size(), count = node.children.size();
   const bool subtracts = node.operation == Operation::subtract;
 
-  // What cannot be outside of any of them begins with the first.
+  // If the line misses one of these, the result is empty.
   std::uint32_t looked_at = 0;
   if (node.operation != Operation::unite) {
     const std::uint32_t needed = subtracts ? 1 : static_cast<std::uint32_t>(count);
@@ -103,8 +103,8 @@ void CsgSolid::push_node(std::uint32_t index, const Line& line, TraceScratch& sc
     for (; looked_at < count; ++looked_at) push_child(node, looked_at, line, scratch);
   }
   sort(list, begin);
-  // To be inside of a difference is to be inside of the first and of all the others' complements, which at the line's
-  // beginning surround it.
+  // To be inside a difference is to be inside the first operand and the complements of all the others, which contain
+  // the line's beginning.
   if (subtracts)
     sweep(line, list, begin, count - 1, count);
   else

@@ -10,7 +10,7 @@
 
 namespace rt {
 
-/// Collects the boxes in the way of a whole line.
+/// Collects the boxes that a whole line crosses.
 struct LineQuery : bvh::Query {
   LineQuery(const Ray& r, std::vector<std::uint32_t>& f)
       : Query(r, {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}), found(f) {}
@@ -25,15 +25,15 @@ class CsgSolid {
 public:
   using Operation = scene::Combination::Operation;
 
-  /// A solid of the combination, with the surface that it brings along.
+  /// A solid of the combination, with its surface.
   struct Operand {
     SolidShape shape;
-    BindingId binding = inherited_binding; ///< asked about in the combination's space
+    BindingId binding = inherited_binding; ///< evaluated in the combination's space
     bool casts_shadow = true;
     std::uint32_t source = 0; ///< where it was written: see `path`
   };
 
-  /// The box around all there is of it, carried through `map`; empty or infinite maybe.
+  /// The bounding box of the whole, transformed by `map`; possibly empty or infinite.
   Box3 box(const Affine& map = {}) const { return box_of(0, map); }
 
   /// Pushes the boundaries along the whole line on `scratch.boundaries`: from near to far, entering and leaving by
@@ -47,13 +47,13 @@ public:
 
   const Operand& operand(std::uint32_t i) const { return operands_[i]; }
   std::uint32_t operand_count() const { return static_cast<std::uint32_t>(operands_.size()); }
-  /// The positions that lead from the combination to an operand: in its list, in that one's members, and so on.
+  /// The indices that lead from the combination to an operand: into its list, then its members', and so on.
   std::vector<std::uint32_t> path(std::uint32_t operand) const;
 
-  /// Whose material the inside is of, if the combination itself writes none with an index of refraction: its leftmost
-  /// part that has one; the default material's if none has. A combination within this one counts by its own first.
+  /// The material of the interior, if the combination itself has none with an index of refraction: that of its leftmost
+  /// part that has one; else the default material. A nested combination's own material has priority over its parts'.
   BindingId medium(const MaterialBindings& bindings, BindingId inherited) const;
-  /// Whether any of its surfaces lets light in.
+  /// Whether any of its surfaces transmits light.
   bool is_medium(const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
@@ -66,7 +66,7 @@ private:
   };
   struct ChildBoxes {
     std::vector<Box3> boxes;
-    std::vector<std::uint32_t> children; // by their position in the node
+    std::vector<std::uint32_t> children; // by index in the node
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(boxes.size()); }
     Box3 bounds(std::uint32_t i) const { return boxes[i]; }
@@ -76,7 +76,7 @@ private:
       return false;
     }
   };
-  // Finds the children in a line's way, where there are many.
+  // Finds the children that a line may cross, where there are many.
   struct Index {
     ChildBoxes boxes;
     std::vector<std::uint32_t> others; // those without a finite box
@@ -85,7 +85,7 @@ private:
   struct Node {
     Operation operation = Operation::unite;
     std::vector<Child> children;
-    std::unique_ptr<Index> index; // of all children that need not be looked at: those of a union, those taken away
+    std::unique_ptr<Index> index; // of all children that may be skipped: those of a union, and subtracted ones
   };
   // A line, and how near to each other boundaries must be to be looked at closely.
   struct Line {
@@ -117,14 +117,14 @@ private:
   double reach_ = 0;             // no point of a finite operand has a greater magnitude
 };
 
-/// Makes the solid of a combination.
+/// Builds the solid of a combination.
 class CsgBuilder {
 public:
   /// All must outlive the builder.
   CsgBuilder(const scene::Scene& scene, const bvh::Device& device, MaterialBindings& bindings, HitRules rules)
       : scene_(scene), device_(device), bindings_(bindings), rules_(rules) {}
 
-  /// `map` leads from the combination's space to the one that the solid is to stand in.
+  /// `map` leads from the combination's space to the one that the solid is placed in.
   CsgSolid build(const scene::Combination& combination, const Affine& map);
 
 private:

@@ -8,10 +8,10 @@
 namespace rt {
 namespace {
 
-// Below this many children it is faster to look at each.
+// With fewer children it is faster to test each.
 constexpr std::size_t least_for_index = 8;
 
-// Whether an operand's own operands can stand in its place: a ∪ (b ∪ c), a ∩ (b ∩ c), (a − b) − c, a − (b ∪ c).
+// Whether an operand can be replaced by its own operands: a ∪ (b ∪ c), a ∩ (b ∩ c), (a − b) − c, a − (b ∪ c).
 bool dissolves(CsgSolid::Operation outer, CsgSolid::Operation inner, bool is_first) {
   using enum scene::Combination::Operation;
   if (outer != subtract) return inner == outer;
@@ -20,11 +20,11 @@ bool dissolves(CsgSolid::Operation outer, CsgSolid::Operation inner, bool is_fir
 
 } // namespace
 
-// The operands of a combination, on the way through them.
+// The operands of a combination, during their traversal.
 struct CsgBuilder::ListFrame {
   std::span<const scene::Object> objects;
   std::uint32_t node;  // that they become children of
-  bool is_subtraction; // what comes after the node's first child is taken away from it
+  bool is_subtraction; // what follows the node's first child is subtracted from it
   Affine map;          // from their parent's space to the solid's
   BindingId binding;   // that they inherit
   bool casts_shadow;
@@ -43,11 +43,11 @@ CsgSolid CsgBuilder::build(const scene::Combination& combination, const Affine& 
   return solid;
 }
 
-// One step: the next operand of the innermost frame. There is no recursion, because solids may nest deep.
+// One step: the next operand of the innermost frame. Not recursive, because solids may be deeply nested.
 void CsgBuilder::visit(CsgSolid& solid, std::vector<ListFrame>& frames) {
   ListFrame& frame = frames.back();
   const auto position = static_cast<std::uint32_t>(frame.next++);
-  // Where there is nothing to subtract from, nothing is left.
+  // If there is nothing to subtract from, the result is empty.
   const bool is_void = frame.is_subtraction && position > 0 && solid.nodes_[frame.node].children.empty();
   if (position >= frame.objects.size() || is_void) {
     frames.pop_back();
@@ -82,7 +82,7 @@ void CsgBuilder::visit(CsgSolid& solid, std::vector<ListFrame>& frames) {
   frames.push_back(inner);
 }
 
-// Candidates after the first that is certain do not matter.
+// Candidates after the first that certainly applies do not matter.
 void CsgBuilder::add_medium(CsgSolid& solid, BindingId binding) const {
   auto& media = solid.media_;
   if (binding != inherited_binding && !bindings_.uses_ior(binding)) return;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <variant>
 
-/// Lists of types over all the shapes there are. They follow from `scene::ShapeKinds`, so that a new shape needs
-/// nothing here.
+/// Lists of types over all kinds of shapes. They are derived from `scene::ShapeKinds`, so a new shape needs nothing
+/// here.
 namespace rt {
 
 template <class S>
@@ -62,13 +62,13 @@ struct OperandsOf<std::tuple<G...>> {
 
 } // namespace detail
 
-/// The geometry of every shape, the triangle with normals of its own, and POV-Ray's box.
+/// The geometry of every shape, the triangle with vertex normals, and POV-Ray's box.
 using Geometries = detail::GeometriesOf<scene::ShapeKinds>::Type;
 
 /// A shape of any kind that has an inside, placed in either way.
 using SolidShape = detail::OperandsOf<Geometries>::Type;
 
-/// Calls `add` with each of the geometries that the shape is traced as. Together they are one object.
+/// Calls `add` with each of the geometries that the shape is traced as. Together they form one object.
 template <class S, class Add>
 void for_each_geometry(const S& shape, HitRules rules, Add&& add) {
   if constexpr (std::is_same_v<S, scene::Box>) {

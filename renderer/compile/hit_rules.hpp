@@ -2,9 +2,9 @@
 
 namespace rt {
 
-/// Whose rules decide where a ray meets a shape. How far from its origin hits count is the integrator's affair.
+/// Whose rules decide where a ray hits a shape. The least distance at which hits count is up to the integrator.
 enum class HitRules {
-  own,   ///< exact but for rounding
+  own,   ///< exact up to rounding
   povray ///< POV-Ray 3.7's, for explaining where its pictures differ from ours: `PovrayBoxGeometry`
 };
 

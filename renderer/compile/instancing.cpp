@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t least_leaves = 17;
 constexpr std::uint64_t least_total = 4096;
 
-// Counts can be astronomical, as those of a group of groups of groups; half of the largest number is as good as
+// Counts can be astronomical, as for nested groups; half of the largest number is as good as
 // infinite.
 constexpr std::uint64_t many = std::numeric_limits<std::uint32_t>::max();
 
@@ -36,7 +36,7 @@ Instancing::Instancing(const scene::Scene& scene, const std::vector<std::span<co
 void Instancing::find_groups(const scene::Scene& scene, std::span<const scene::Object> objects) {
   struct Visit {
     std::span<const scene::Object> objects;
-    std::uint32_t group; // whose members they are
+    std::uint32_t group; // the one that has the members
     std::size_t next = 0;
   };
   const auto& groups = scene.shapes.all<scene::Group>();
@@ -65,7 +65,7 @@ void Instancing::count_leaves(const scene::Scene& scene) {
   }
 }
 
-// From the outside in, so that all places of a group are known when it is decided about.
+// From the outside in, so that all placements of a group are known when it is decided on.
 void Instancing::count_copies(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects) {
   const auto count = [&](std::span<const scene::Object> placed, std::uint64_t times) {
     for (const scene::Object& object : placed) {

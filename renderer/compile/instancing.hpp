@@ -8,9 +8,9 @@
 
 namespace rt {
 
-/// How often the groups and combinations of a scene are placed, and which groups are worth an aggregate of their own.
-/// What stands within a combination is not counted: that is the combination's affair. `objects` are the ranges of
-/// the scene's list that it is about.
+/// How often the groups and combinations of a scene are placed, and which groups deserve an aggregate. What is inside
+/// a combination is not counted: that is up to the combination. `objects` are the ranges of the scene's list to
+/// consider.
 class Instancing {
 public:
   Instancing(const scene::Scene& scene, const std::vector<std::span<const scene::Object>>& objects);
@@ -28,7 +28,7 @@ private:
   std::vector<bool> is_found_;
   std::vector<std::uint32_t> innermost_first_;
   std::vector<std::uint64_t> leaves_; // by group: of all levels
-  std::vector<std::uint64_t> copies_; // by group: how often its members would stand in the aggregates
+  std::vector<std::uint64_t> copies_; // by group: how often its members would occur in the aggregates
   std::vector<std::uint64_t> combination_copies_;
   std::vector<bool> is_instanced_;
 };

@@ -27,7 +27,7 @@ void MaterialBindings::release(const Mark& mark) {
   places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(mark.places), places_.end());
 }
 
-// The patterns of a material live in the space of the object that writes it, before its own transform.
+// The patterns of a material are in the space of the object that specifies it, before its own transform.
 BindingId MaterialBindings::of(const scene::Object& object, const Affine& to_outer, BindingId inherited) {
   if (object.material == scene::no_material) return inherited;
   const BindingId placeless = placeless_[static_cast<std::size_t>(object.material)];

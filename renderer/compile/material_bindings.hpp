@@ -7,10 +7,10 @@
 
 namespace rt {
 
-/// A material as one object writes it: with the place of its patterns. Index in `MaterialBindings`.
+/// A material as used by one object: with the placement of its patterns. Index in `MaterialBindings`.
 enum class BindingId : std::uint32_t {};
 
-/// That of the composite that the object stands in.
+/// That of the composite that contains the object.
 inline constexpr BindingId inherited_binding{0x7fffffff};
 
 /// All bindings of a compiled scene, over its materials.
@@ -18,10 +18,10 @@ class MaterialBindings {
 public:
   explicit MaterialBindings(const scene::Scene& scene);
 
-  /// Adds the materials that the scene has got since. What was given out stays as it is.
+  /// Adds the materials added to the scene since. Ids handed out earlier stay valid.
   void extend(const scene::Scene& scene);
 
-  /// How many places of patterns there are; `release` forgets those that came later, with their bindings.
+  /// How many pattern placements there are; `release` drops the later ones, with their bindings.
   struct Mark {
     std::size_t bindings, places;
   };
@@ -32,39 +32,39 @@ public:
 
   static BindingId default_binding() { return BindingId{0}; }
 
-  /// The binding of an object that is placed by `to_outer` in the space where the binding is looked up, and inherits
-  /// `inherited` if it writes no material.
+  /// The binding of an object that is placed by `to_outer` in the space where the binding is evaluated, and inherits
+  /// `inherited` if it has no material.
   BindingId of(const scene::Object& object, const Affine& to_outer, BindingId inherited);
 
-  /// Whether it lets no light by anywhere.
+  /// Whether it transmits no light anywhere.
   bool is_opaque(BindingId binding) const { return at(binding).is_opaque; }
-  /// Whether rays that pass it enter or leave a medium.
+  /// Whether rays that pass through it enter or leave a medium.
   bool is_medium(BindingId binding) const { return at(binding).is_medium; }
-  /// Whether the index of refraction of the binding's material matters at all, and whether any binding's does.
+  /// Whether the index of refraction of the binding's material matters, and whether any binding's does.
   bool uses_ior(BindingId binding) const { return at(binding).uses_ior; }
   bool uses_ior() const { return uses_ior_; }
-  /// Whether it gives off light somewhere, and whether any binding does.
+  /// Whether it emits light somewhere, and whether any binding does.
   bool shines(BindingId binding) const { return at(binding).shines; }
   bool any_shines() const { return any_shines_; }
   std::uint32_t material(BindingId binding) const { return at(binding).material; }
   /// 1 where it does not matter.
   double ior(BindingId binding) const { return uses_ior(binding) ? materials_.constant(at(binding).material).ior : 1; }
 
-  /// What is taken of light inside of a material, by its index; and whether there is any that takes some.
+  /// The absorption inside a material, by its index; and whether any material absorbs.
   const Absorption& absorption(std::uint32_t material) const { return materials_.absorption(material); }
   bool absorbs() const { return materials_.absorbs(); }
 
-  /// Where the patterns see the point `p` of the space where the binding is looked up.
+  /// Where patterns are evaluated for the point `p` of the space where the binding is evaluated.
   [[gnu::always_inline]] Vec3 pattern_point(BindingId binding, const Vec3& p) const {
     const std::uint32_t place = at(binding).place;
     return place == nowhere ? p : point_at(place, p);
   }
-  /// The values at a point of that kind. `scratch` holds them where they are not constant.
+  /// The values at such a point. `scratch` holds them if they are not constant.
   const MaterialValues& values(std::uint32_t material, const Vec3& pattern_point, MaterialValues& scratch) const {
     if (!materials_.has_patterns(material)) return materials_.constant(material);
     return scratch = materials_.at(material, pattern_point);
   }
-  /// The fraction that a surface lets through of the light that crosses it.
+  /// The transmittance of the surface at a point.
   Color transmittance(BindingId binding, const Vec3& p) const {
     const std::uint32_t material = at(binding).material;
     const MaterialValues& constant = materials_.constant(material);
@@ -87,8 +87,8 @@ private:
   [[gnu::noinline]] Vec3 point_at(std::uint32_t place, const Vec3& p) const { return places_[place].point(p); }
 
   Materials materials_;
-  std::vector<MaterialBinding> bindings_; // first that of the default material
-  std::vector<BindingId> placeless_;      // by material as the scene numbers them
+  std::vector<MaterialBinding> bindings_; // the first is the default material's
+  std::vector<BindingId> placeless_;      // by the scene's material index
   std::vector<Affine> places_;
   bool uses_ior_ = false;
   bool any_shines_ = false;

@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-/// The two ways to place a shape in a space: as a geometry of that space, or in its own space with a map.
+/// The two ways to place a shape in a space: as a geometry of that space, or in object space with a map.
 namespace rt {
 
 /// A geometry that has an inside.
@@ -15,7 +15,7 @@ concept Solidlike = requires(const G& g, const Ray& ray, const Vec3& p) {
   { contains(g, p) } -> std::same_as<bool>;
 };
 
-/// Most shapes: their transform is worked into them.
+/// Most shapes: the transform is applied to the geometry.
 template <class Geometry>
 struct Baked {
   using G = Geometry;
@@ -28,8 +28,8 @@ struct Baked {
   SurfacePoint point(const Ray& ray, const Hit& hit) const { return surface_point(shape, ray, hit); }
 };
 
-/// A shape that the transform makes into something else, as an ellipsoid of a sphere: rays go to its own space, where t
-/// stays what it is because their direction keeps the length that the map gives it.
+/// A shape that the transform turns into something else, such as an ellipsoid from a sphere: rays are transformed to
+/// object space, where t is unchanged because the transformed direction is not normalised.
 template <class Geometry>
 struct Transformed {
   using G = Geometry;

@@ -52,7 +52,7 @@ Vec3 rounded(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// The ray and the box are in 32 bits, and so are products; only the last sum is not.
+// The ray and the box are in 32 bits, and so are products; only the final sum is not.
 bool meets_bounds(const PovrayBoxGeometry& box, const Ray& ray) {
   double enter = -infinity, leave = infinity;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,7 +73,7 @@ bool meets_bounds(const PovrayBoxGeometry& box, const Ray& ray) {
 
 } // namespace
 
-// POV-Ray moves and scales a box's corners, and keeps a matrix from the first other transform on.
+// POV-Ray moves and scales a box's corners, and stores a matrix from the first other transform on.
 std::optional<PovrayBoxGeometry> placed(const PovrayBoxGeometry& box, const Affine& map) {
   if (const std::optional<BoxGeometry> here = placed(box.box, map))
     return PovrayBoxGeometry{*here, {}, {}, rounded(here->lower), rounded(here->upper - here->lower)};

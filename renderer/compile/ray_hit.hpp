@@ -11,12 +11,12 @@ namespace rt {
 class Aggregate;
 struct LeafKind;
 
-/// A leaf that a ray hit, and where: enough to work out the rest for the one that counts.
+/// A leaf that a ray hit, and where: enough to compute the full surface for the hit that counts.
 struct RayHit : Hit {
   std::uint32_t index = 0;        ///< of the leaf, in its set
   std::uint32_t operand = 0;      ///< of a combination
-  bool is_flipped = false;        ///< a surface of what is subtracted: the solid is on its other side
-  bool is_contested = false;      ///< another is so near behind it that rounding may have decided: see touching.hpp
+  bool is_flipped = false;        ///< a surface of a subtracted solid: the combination is on its other side
+  bool is_contested = false;      ///< another is so close behind it that rounding may have decided: see touching.hpp
   const LeafKind* kind = nullptr; ///< null: no hit
   const void* leaves = nullptr;   ///< the set
   const Aggregate* aggregate = nullptr;
@@ -28,11 +28,11 @@ struct RayHit : Hit {
 /// Where a line crosses the boundary of a combination.
 struct Boundary : Hit {
   std::uint32_t operand = 0;
-  bool is_flipped = false; ///< of what is subtracted
+  bool is_flipped = false; ///< of a subtracted solid
   bool is_entry = false;   ///< the line enters there
 };
 
-/// A transparent surface in a shadow ray's way.
+/// A transparent surface that a shadow ray crosses.
 struct ShadowAttenuation {
   double t;
   std::uint64_t order; ///< of the object; then of the surface within it
@@ -40,7 +40,7 @@ struct ShadowAttenuation {
   Color transmittance;
 };
 
-/// Storage that tracing needs while it runs, kept from ray to ray. Each thread has its own.
+/// Storage that tracing needs, reused from ray to ray. Each thread has its own.
 struct TraceScratch {
   std::vector<Boundary> boundaries; ///< used as a stack
   std::vector<std::uint32_t> operands;

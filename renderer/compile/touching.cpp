@@ -15,7 +15,7 @@ double distance_apart(const Surface& from, const Surface& to) {
   return std::abs(dot(to.position - from.position, to.normal));
 }
 
-// By the refined points: whether the ray passes `a` before `b`, however their distances along the ray were rounded.
+// By the refined points: whether the ray crosses `a` before `b`, however their distances along the ray were rounded.
 bool is_before(const Surface& a, const Surface& b, const Vec3& direction) {
   const Vec3& n = a.normal;
   return dot(a.position - b.position, n) * dot(direction, n) < 0;
@@ -25,7 +25,7 @@ bool is_met_from_front(const MetSurface& m, const Ray& ray) {
   return dot(m.surface.normal, ray.direction) < 0;
 }
 
-// Leaves those that touch the one that is passed first.
+// Keeps only those that touch the one that is crossed first.
 void keep_first_place(const Ray& ray, std::vector<MetSurface>& surfaces) {
   const MetSurface* first = &surfaces.front();
   for (const MetSurface& m : surfaces)
@@ -40,7 +40,7 @@ void start_beyond_all(std::vector<MetSurface>& surfaces) {
       m.surface.error = std::max(m.surface.error, distance_apart(m.surface, other.surface) + other.error);
 }
 
-// Puts the surfaces that count first, and gives their number.
+// Moves the surfaces that count to the front and returns their number.
 std::size_t select(const Ray& ray, std::vector<MetSurface>& surfaces) {
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](const MetSurface& a, const MetSurface& b) {
     return std::tuple(!a.is_opaque, a.surface.order) < std::tuple(!b.is_opaque, b.surface.order);
@@ -50,7 +50,7 @@ std::size_t select(const Ray& ray, std::vector<MetSurface>& surfaces) {
   for (auto begin = surfaces.begin(); begin != surfaces.end();) {
     const std::uint64_t order = begin->surface.order;
     const auto end = std::find_if(begin, surfaces.end(), [&](const MetSurface& m) { return m.surface.order != order; });
-    // Of an odd number of crossings of one solid the first stands for all.
+    // Of an odd number of crossings of one solid the first represents all.
     const bool counts = (end - begin) % 2 == 1;
     if (counts) kept.push_back(*begin);
     rest.insert(rest.end(), begin + counts, end);
@@ -131,7 +131,7 @@ void sort_inside_out(const CompiledScene& scene, const Ray& ray, std::span<MetSu
     if (is_shorter != is_longer) return is_shorter;
     return std::tuple(a.met.surface.ior, a.met.surface.order) > std::tuple(b.met.surface.ior, b.met.surface.order);
   };
-  // By insertion: what is all but equal need not be equal to a third.
+  // Insertion sort: near equality is not transitive.
   for (std::size_t i = 1; i < solids.size(); ++i)
     for (std::size_t k = i; k > 0 && is_inside(solids[k], solids[k - 1]); --k) std::swap(solids[k], solids[k - 1]);
   std::ranges::transform(solids, entered.begin(), &Entered::met);

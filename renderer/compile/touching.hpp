@@ -7,35 +7,35 @@
 #include <span>
 #include <vector>
 
-/// Surfaces in one place: two solids that share a face, a solid that stands on a floor. Which of them a ray meets first
-/// is a matter of rounding, so that they are looked at together.
+/// Coincident surfaces: two solids that share a face, a solid resting on a floor. Which of them a ray hits first is a
+/// matter of rounding, so they are treated together.
 namespace rt {
 
-/// A surface that a ray met.
+/// A surface that a ray hit.
 struct MetSurface {
   RayHit hit;
   Surface surface;
-  double error = 0;       ///< bound of that of the surface's point
-  bool is_opaque = false; ///< lets no light by, at this point
+  double error = 0;       ///< a bound on the error of the surface's point
+  bool is_opaque = false; ///< transmits no light at this point
 };
 
 /// What a ray meets in one place.
 struct TouchingSurfaces {
-  /// All that is there. Those that count come first: the first declared of the opaque ones, which ends the ray; or, of
-  /// transparent ones, one for each solid that is entered or left, those whose normal the ray goes against first, then
+  /// All of them. Those that count come first: the first declared of the opaque ones, which ends the ray; or, if all
+  /// are transparent, one for each solid that is entered or left, those whose normal the ray goes against first, then
   /// in the order of declaration. A ray that starts `Surface::offset` off one of them starts beyond them all.
   std::vector<MetSurface> surfaces;
-  /// How many count. None: all that is entered there is left at once.
+  /// How many count. None: every solid entered there is left at once.
   std::size_t count = 0;
 
-  /// The ray's t at the last of all.
+  /// The ray's t at the last of them.
   double end() const;
 };
 
-/// Whether what casts no shadow counts.
+/// Whether surfaces that cast no shadow count.
 enum class Touching { all, casting };
 
-/// What the ray meets where `nearest`, its nearest hit in `range`, is contested. Stored in `found`.
+/// What the ray hits where `nearest`, its nearest hit in `range`, is contested. Stored in `found`.
 void find_touching(const CompiledScene& scene, const Ray& ray, const Interval& range, const RayHit& nearest,
                    TraceScratch& scratch, TouchingSurfaces& found, Touching which = Touching::all);
 

@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <vector>
 
-/// What travels through the trees of a compiled scene.
+/// The queries that traverse the trees of a compiled scene.
 namespace rt {
 
-/// How far behind the nearest hit another one may lie and still be in the same place, up to rounding: far beyond the
-/// bounds of the errors, unless the ray all but grazes the surfaces. What is so near is looked at closely.
+/// How far behind the nearest hit another one may lie and still coincide with it, up to rounding: far beyond the error
+/// bounds, unless the ray all but grazes the surfaces. Hits that close are examined exactly.
 struct Slack {
   double fixed = 0; ///< for the ray's origin and the extent of the scene
   double end(double t) const { return t + std::abs(t) * 0x1p-30 + fixed; }
@@ -26,8 +26,8 @@ struct NearestQuery : bvh::Query {
                TraceScratch& s)
       : Query(r, i), slack(near), aggregate(a), base(b), best(h), scratch(s) {}
 
-  /// Accepts the hit unless there is an equally near one on an object that was declared before, or on a leaf of the
-  /// same object that comes before. False: it was not accepted.
+  /// Accepts the hit unless there is an equally near one on an object declared earlier, or on an earlier leaf of the
+  /// same object. Returns whether it was accepted.
   bool offer(const Hit& hit, std::uint32_t slot, std::uint32_t index, const LeafKind& kind, const void* leaves);
 
   Slack slack;                ///< of the whole scene's ray: t is the same in all spaces
@@ -37,13 +37,13 @@ struct NearestQuery : bvh::Query {
   TraceScratch& scratch;
 };
 
-/// The material that leaves without one of their own inherit, and the ray in the space where it was written.
+/// The material that leaves without one inherit, and the ray in the space where it is evaluated.
 struct InheritedBinding {
   BindingId binding;
   const Ray* ray;
 };
 
-/// Looks for what blocks light: opaque leaves end it, transparent ones leave an attenuation.
+/// Looks for occluders: an opaque leaf ends the search, a transparent one leaves an attenuation.
 struct ShadowQuery : bvh::Query {
   ShadowQuery(const Ray& r, const Interval& i, const Aggregate& a, std::uint64_t b, const MaterialBindings& all,
               const InheritedBinding& from_outside, TraceScratch& s)
@@ -65,7 +65,7 @@ struct ShadowQuery : bvh::Query {
   bool inspects = false; ///< it is an InspectQuery
 };
 
-/// Looks at everything: all hits of the ray in its interval, or all solids around its origin.
+/// Visits everything: all hits of the ray in its interval, or all solids around its origin.
 struct InspectQuery : ShadowQuery {
   using ShadowQuery::ShadowQuery;
 

@@ -21,7 +21,7 @@ std::string bounds_text(const Constraint& c) {
   return fmt::format("must be {} and {}", low, high);
 }
 
-// What nearly every number of a scene passes: strictly between its bounds it is finite too.
+// The common case: a number strictly between its bounds is also finite.
 bool is_inside(const Constraint& c, double number) {
   return number > c.min && number < c.max && !c.is_whole;
 }

@@ -11,14 +11,14 @@
 
 namespace rt::scene {
 
-/// What a field's numbers must satisfy (every component, for vectors) or how many points it takes.
+/// What a field's numbers must satisfy (every component of a vector), or how many points it takes.
 struct Constraint {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_is_excluded = false;
   bool max_is_excluded = false;
   bool is_whole = false;   ///< whole numbers only
-  bool is_nonzero = false; ///< a vector that must have a direction, or a number that must not be 0
+  bool is_nonzero = false; ///< a vector must have a direction, a number must not be 0
   int min_count = 0;       ///< points
   int max_count = std::numeric_limits<int>::max();
 };
@@ -29,7 +29,7 @@ inline constexpr Constraint not_negative{.min = 0};
 inline constexpr Constraint zero_to_one{.min = 0, .max = 1};
 inline constexpr Constraint nonzero{.is_nonzero = true};
 
-/// How a value breaks a constraint. No number may be infinite or not a number, whatever the constraint.
+/// How a value violates a constraint. No number may be infinite or NaN, whatever the constraint.
 struct Violation {
   enum class Kind : std::uint8_t { not_finite, out_of_bounds, no_direction, flattens, count };
   Kind kind;
@@ -40,9 +40,9 @@ struct Violation {
 std::optional<Violation> check(const Constraint& constraint, double number);
 std::optional<Violation> check(const Constraint& constraint, const Vec3& vector);
 std::optional<Violation> check(const Constraint& constraint, const Color& color);
-/// Of a vector that holds a factor for each axis.
+/// For a vector with a factor for each axis.
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size);
-/// Of a list of points: how many there are.
+/// For a list of points: their number.
 std::optional<Violation> check_count(const Constraint& constraint, std::size_t count);
 
 } // namespace rt::scene

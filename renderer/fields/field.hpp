@@ -23,11 +23,11 @@ namespace rt::scene {
 enum class PatternId : std::uint32_t {};
 
 /// A colour or a number, or a pattern that gives one at every point. Where a pattern gives colours and a number is
-/// asked for, that is the colour's red.
+/// expected, the red channel is used.
 using Paint = std::variant<Color, PatternId>;
 using NumberPaint = std::variant<double, PatternId>;
 
-/// How light weakens with distance D from its source; `distance` is d, in scene lengths.
+/// How light fades with the distance D from its source; `distance` is d, in scene units.
 struct Fade {
   enum class Law : std::uint8_t { none, linear, quadratic, inverse_square }; // 1, 1/(1+D/d), 1/(1+(D/d)²), 1/D²
   Law law = Law::none;
@@ -41,19 +41,19 @@ struct Metal {
   friend bool operator==(const Metal&, const Metal&) = default;
 };
 
-/// What a medium leaves of white light after a way of `distance`, in scene lengths.
+/// The fraction of white light that a medium transmits over `distance`, in scene units.
 struct Absorb {
   Color color = white;
   double distance = 1;
   friend bool operator==(const Absorb&, const Absorb&) = default;
 };
 
-/// A value that knows whether it was written: where it was not, something else that was may imply another.
+/// A value that knows whether it was specified: if not, it may be implied by something else that was.
 template <class T>
 class Implicit {
 public:
   Implicit() = default;
-  /// Written.
+  /// Specified.
   template <class U>
   requires(std::is_convertible_v<U, T> && !std::is_same_v<std::remove_cvref_t<U>, Implicit>) Implicit(U&& value)
       : value_(std::forward<U>(value)), is_written_(true) {}
@@ -67,7 +67,7 @@ public:
   const T& value() const { return value_; }
   operator const T&() const { return value_; }
   friend bool operator==(const Implicit&, const Implicit&) = default;
-  /// Of the value alone.
+  /// Compares the value alone.
   friend bool operator==(const Implicit& a, const T& b) { return a.value_ == b; }
 
 private:
@@ -75,7 +75,7 @@ private:
   bool is_written_ = false;
 };
 
-/// One of a field's `choices`, by its position there.
+/// One of a field's `choices`, by index.
 struct Choice {
   int index = 0;
   friend bool operator==(const Choice&, const Choice&) = default;
@@ -112,20 +112,20 @@ using FieldValue = std::variant<double, bool, Vec3, Color, PatternId, std::vecto
 struct Field {
   std::string_view name;
   FieldType type;
-  /// Properties of different forms exclude each other (a plane is `normal` and `offset`, or `y`); 0 goes with every
+  /// Properties of different forms are mutually exclusive (a plane is `normal` and `offset`, or `y`); 0 goes with every
   /// form.
   int form;
   Constraint constraint;
-  std::string_view default_text; ///< as it would be written; empty where there is none
+  std::string_view default_text; ///< as it would be written; empty if there is none
   std::string_view help;         ///< one line, with the unit
   std::span<const std::string_view> choices;
-  bool is_textured; ///< it takes a pattern too
-  /// Why it takes none where one might expect it to; empty where nobody would.
+  bool is_textured; ///< it also takes a pattern
+  /// Why it takes no pattern although one might expect it to; empty if nobody would.
   std::string_view constant_because;
   void (*set)(void* owner, const FieldValue& value);
-  /// Empty where the property was not written and has no value of its own.
+  /// Empty if the property was not specified and has no default.
   std::optional<FieldValue> (*get)(const void* owner);
-  /// How the owner's value breaks the constraint. A pattern passes: it has fields of its own.
+  /// How the owner's value violates the constraint. A pattern passes: it has fields of its own.
   std::optional<Violation> (*check)(const Field& field, const void* owner);
 };
 
@@ -179,7 +179,7 @@ FieldValue to_value(const T& member) {
     return member;
 }
 
-/// A number stands as grey where a colour is asked for, a colour's red where a number is.
+/// A number serves as grey where a colour is expected; a colour's red channel where a number is.
 template <class T>
 T paint_from(const FieldValue& value) {
   constexpr bool is_number = std::is_same_v<T, NumberPaint>;
@@ -213,7 +213,7 @@ inline std::optional<Violation> check_choice(const Field& field, int index) {
   return Violation{Violation::Kind::out_of_bounds, "must be one of its choices", "this is none"};
 }
 
-/// Numbers that a metal and a medium are made of: n above 0, k from 0; a colour from 0 to 1.
+/// What a metal and a medium consist of: n above 0, k at least 0; a colour from 0 to 1.
 inline std::optional<Violation> check_metal(const Metal& metal) {
   if (auto violation = check(positive, metal.n)) return violation;
   return check(not_negative, metal.k);
@@ -288,13 +288,13 @@ constexpr FieldType default_type() {
 
 } // namespace detail
 
-/// What a field table says of a member beyond its name and type.
+/// What a field table says about a member beyond its name and type.
 struct FieldText {
   std::string_view default_text;
   std::string_view help;
   Constraint constraint = any_value;
   int form = 0;
-  std::optional<FieldType> type = std::nullopt; ///< where the member's type alone does not say it
+  std::optional<FieldType> type = std::nullopt; ///< where the member's type alone does not determine it
   std::span<const std::string_view> choices = {};
   std::string_view constant_because = {};
 };
@@ -334,7 +334,7 @@ constexpr Field field(std::string_view name, const FieldText& text) {
       }};
 }
 
-/// Calls f(id) for each pattern that the owner's fields show.
+/// Calls f(id) for each pattern that the owner's fields refer to.
 template <class F>
 void for_each_pattern(std::span<const Field> table, const void* owner, F&& f) {
   for (const Field& field : table) {
@@ -344,15 +344,15 @@ void for_each_pattern(std::span<const Field> table, const void* owner, F&& f) {
   }
 }
 
-/// Puts f(id) in the place of each.
+/// Replaces each by f(id).
 template <class F>
 void replace_patterns(std::span<const Field> table, void* owner, F&& f) {
   for (const Field& field : table)
     for_each_pattern({&field, 1}, owner, [&](PatternId pattern) { field.set(owner, f(pattern)); });
 }
 
-/// Why a description that passes every field's constraint is still not a shape, light, …: two points coincide, a
-/// polygon is not planar. `field` is the property to blame, `advice` a way out where the message does not imply one.
+/// Why a description that satisfies every field's constraint is still not a valid shape, light, …: two points coincide,
+/// a polygon is not planar. `field` is the property to blame, `advice` a fix where the message does not imply one.
 struct Problem {
   std::string_view field;
   std::string message;

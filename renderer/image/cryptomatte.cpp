@@ -36,7 +36,7 @@ std::string json_string(std::string_view text) {
   return out + '"';
 }
 
-/// Reads what `json_string` wrote, and moves behind it.
+/// Reads what `json_string` wrote and advances past it.
 std::string read_json_string(std::string_view& text) {
   std::string out;
   for (text.remove_prefix(1); !text.empty() && text[0] != '"'; text.remove_prefix(1)) {

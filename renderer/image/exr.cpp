@@ -79,7 +79,7 @@ constexpr Channel error_channels[] = {
     {"error.R", Imf::FLOAT, 0}, {"error.G", Imf::FLOAT, 4}, {"error.B", Imf::FLOAT, 8}};
 constexpr Channel samples_channels[] = {{"samples", Imf::UINT, 0}};
 
-/// The nearest object of each pixel by the float of its name, and how much of the pixel it covers; there is no second.
+/// The nearest object of each pixel by the float of its name, and its coverage; there is no second object.
 struct Matte {
   float id = 0, coverage = 0, second_id = 0, second_coverage = 0;
 };
@@ -89,7 +89,7 @@ constexpr Channel matte_channels[] = {{"CryptoObject00.R", Imf::FLOAT, 0},
                                       {"CryptoObject00.B", Imf::FLOAT, 8},
                                       {"CryptoObject00.A", Imf::FLOAT, 12}};
 
-/// `ids` gets the names that occur.
+/// `ids` receives the names that occur.
 std::vector<Matte> mattes(const Film& film, const EncodeOptions& options, std::map<std::string, std::uint32_t>& ids) {
   std::vector<Matte> pixels(film.object_id.size());
   std::unordered_map<std::uint32_t, float> known;
@@ -106,7 +106,7 @@ std::vector<Matte> mattes(const Film& film, const EncodeOptions& options, std::m
   return pixels;
 }
 
-/// Adds a slice for each channel to a frame buffer over `pixels`, whose first one stands at `origin` in the file.
+/// Adds a slice for each channel to a frame buffer over `pixels`, whose first one is at `origin` in the file.
 template <class Pixel>
 void add_slices(Imf::FrameBuffer& frame, std::span<const Channel> channels, std::vector<Pixel>& pixels, int width,
                 Imath::V2i origin) {
@@ -135,7 +135,7 @@ void read_text(const Imf::Header& header, Image& image) {
       image.text[attribute.name()] = text->value();
 }
 
-/// Names the image's objects by the mattes of its pixels.
+/// Names the image's objects from its pixels' mattes.
 void name_objects(Image& image, const std::vector<Matte>& mattes) {
   const std::map<std::uint32_t, std::string> names = matte_names(image.text);
   for (std::size_t i = 0; i < mattes.size(); ++i) {
@@ -145,7 +145,7 @@ void name_objects(Image& image, const std::vector<Matte>& mattes) {
   }
 }
 
-/// Calls f(channels, pixels) for colour and for every layer of the film; `depth` stands for the film's own, which is
+/// Calls f(channels, pixels) for colour and for every layer of the film; `depth` replaces the film's own, which is
 /// double.
 template <class F>
 void for_each_layer(Film& film, std::vector<float>& depth, F&& f) {
@@ -171,7 +171,7 @@ std::string encode_exr(const Film& film, const EncodeOptions& options) {
     for (const Channel& channel : channels) header.channels().insert(channel.name, Imf::Channel(channel.type));
     add_slices(frame, channels, pixels, film.width, origin);
   };
-  // OpenEXR's slices are for reading too and so not const; writing leaves the film as it is.
+  // OpenEXR's slices are used for reading too and so are not const; writing does not modify the film.
   Film& pixels = const_cast<Film&>(film);
   std::vector<float> depth(film.depth.begin(), film.depth.end());
   add(color_channels, pixels.color);

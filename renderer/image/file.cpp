@@ -26,7 +26,7 @@ public:
     if (file_ >= 0) ::close(file_);
   }
   int get() const { return file_; }
-  /// Closes it now; an error number, or 0: a full disk may show only here.
+  /// Closes it now and returns an error number, or 0: a full disk may only be reported here.
   int close() {
     const int file = file_;
     file_ = -1;
@@ -47,7 +47,7 @@ public:
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   Descriptor& file() { return file_; }
-  /// Gives it the target's name. An error number, or 0.
+  /// Renames it to the target. Returns an error number, or 0.
   int rename_to_target() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) return errno;
     path_.clear();
@@ -113,25 +113,25 @@ void write_all(int file, std::string_view bytes, const std::string& name) {
 
 namespace {
 
-/// What a path leads to.
+/// What a path refers to.
 struct Target {
-  std::filesystem::path path; ///< links followed
+  std::filesystem::path path; ///< symbolic links followed
   bool exists;
-  bool is_stream; ///< written straight: a pipe, a device, or whatever a descriptor of the process is
+  bool is_stream; ///< written to directly: a pipe, a device, or any open descriptor of the process
   struct stat status;
 };
 
-/// The target of a path that may be written; throws otherwise.
+/// The target of a path that may be written to; throws otherwise.
 Target writable_target(const std::string& path) {
   std::error_code no_link;
   Target target{path, false, false, {}};
   target.exists = ::stat(path.c_str(), &target.status) == 0;
   target.is_stream = is_stream(path);
-  // What a descriptor leads to need not have a path.
+  // The target of a descriptor need not have a path.
   if (!target.is_stream && std::filesystem::is_symlink(target.path, no_link))
     target.path = std::filesystem::weakly_canonical(target.path);
   if (target.exists && S_ISDIR(target.status.st_mode)) fail(EISDIR, "write", path);
-  // A rename would replace even a file that may not be written.
+  // Renaming would replace even a read-only file.
   if (target.exists && ::access(target.path.c_str(), W_OK) != 0) fail(errno, "write", path);
   if (!target.is_stream) {
     const std::string folder = target.path.has_parent_path() ? target.path.parent_path().string() : ".";
@@ -161,7 +161,7 @@ void replace_file(const std::string& path, std::string_view bytes) {
   const int file = temporary.file().get();
   write_all(file, bytes, path);
   if (target.exists && ::fchmod(file, target.status.st_mode & 07777) != 0) fail(errno, "write", path);
-  // Without this a crash of the machine could leave the new name on an empty file.
+  // Without this a system crash could leave the new name on an empty file.
   if (::fsync(file) != 0 && errno != EINVAL && errno != EROFS) fail(errno, "write", path);
   if (const int error = temporary.file().close()) fail(error, "write", path);
   if (const int error = temporary.rename_to_target()) fail(error, "write", path);

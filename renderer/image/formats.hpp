@@ -2,7 +2,7 @@
 
 #include "renderer/image/image.hpp"
 
-/// One pair of functions for each kind of file; `encode` and `decode` choose among them. A decoder's `name` is for its
+/// A pair of functions for each file format; `encode` and `decode` choose among them. A decoder's `name` is for its
 /// messages (std::runtime_error).
 namespace rt::image {
 
@@ -17,7 +17,7 @@ Image decode_exr(std::string_view bytes, const std::string& name);
 Image decode_pnm(std::string_view bytes, const std::string& name, Transfer assumed);
 Image decode_pfm(std::string_view bytes, const std::string& name);
 
-/// An image with room for its colours. Throws std::runtime_error for a size that no picture has.
+/// An uninitialised image. Throws std::runtime_error for a size that no picture can have.
 Image empty_image(std::uint64_t width, std::uint64_t height, int bits, const std::string& name);
 
 } // namespace rt::image

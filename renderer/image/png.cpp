@@ -12,8 +12,8 @@
 #include <cstring>
 #include <stdexcept>
 
-// libpng reports errors by longjmp, which skips destructors: the functions that call setjmp hold nothing but references
-// to what their callers own.
+// libpng reports errors by longjmp, which skips destructors: the functions that call setjmp only hold references to
+// what their callers own.
 namespace rt::image {
 namespace {
 
@@ -73,7 +73,7 @@ bool write(Writer& writer, const Film& film, int bits, const SrgbQuantiser& quan
            std::vector<png_byte>& row, std::string& bytes) {
   if (setjmp(png_jmpbuf(writer.png))) return false;
   png_set_write_fn(writer.png, &bytes, append, flush);
-  // Measured on rendered pictures: a tenth of the time that the defaults take, for files a seventh larger.
+  // Measured on rendered pictures: a tenth of the time of the defaults, for files a seventh larger.
   png_set_compression_strategy(writer.png, Z_RLE);
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(film.width), static_cast<png_uint_32>(film.height),
@@ -89,7 +89,7 @@ bool write(Writer& writer, const Film& film, int bits, const SrgbQuantiser& quan
   return true;
 }
 
-/// Reads up to the pixels, which are to come as RGB of 8 or 16 bits.
+/// Reads up to the pixels, which are to be delivered as RGB of 8 or 16 bits.
 bool read_header(Reader& reader, std::string_view& rest) {
   if (setjmp(png_jmpbuf(reader.png))) return false;
   png_set_read_fn(reader.png, &rest, take);
@@ -110,10 +110,10 @@ bool read_pixels(Reader& reader, std::vector<png_bytep>& rows) {
   return true;
 }
 
-/// The light of each sample value of a file of 8 or 16 bits, as its chunks say.
+/// The linear value of each sample value of a file of 8 or 16 bits, according to its chunks.
 std::vector<float> light_of_samples(const Reader& reader, int bits, Transfer assumed) {
   int intent = 0;
-  double gamma = 0; // what the file says light was raised to
+  double gamma = 0; // the exponent that the file says was applied to light
   const bool is_srgb = png_get_sRGB(reader.png, reader.info, &intent) != 0;
   const bool has_gamma = !is_srgb && png_get_gAMA(reader.png, reader.info, &gamma) != 0 && gamma > 0;
   std::vector<float> light(std::size_t{1} << bits);

@@ -55,7 +55,7 @@ private:
   std::size_t at_ = 0;
 };
 
-/// The light of each sample value, 0 to `maximum`.
+/// The linear value of each sample value, 0 to `maximum`.
 std::vector<float> light_of_samples(unsigned maximum, Transfer transfer) {
   std::vector<float> light(maximum + 1);
   for (unsigned i = 0; i <= maximum; ++i) {
@@ -91,7 +91,7 @@ Image decode_pnm(std::string_view bytes, const std::string& name, Transfer assum
 
   const std::size_t channels = is_grey ? 1 : 3, sample_size = maximum > 255 ? 2 : 1;
   const std::string_view data = words.rest();
-  // A lie about the size is found before memory is taken for it: a sample in text takes a digit and a space.
+  // A wrong size is detected before memory is allocated for it: a sample in text takes a digit and a space.
   if (data.size() + 1 < std::uint64_t{width} * height * channels * (is_text ? 2 : sample_size))
     fail(name, "it ends too early");
   Image image = empty_image(width, height, maximum > 255 ? 16 : 8, name);

@@ -8,7 +8,7 @@
 namespace rt {
 
 std::uint16_t SrgbQuantiser::by_formula(float linear, int maximum) {
-  if (!(linear > 0)) return 0; // also what is not a number
+  if (!(linear > 0)) return 0; // NaN, too
   if (linear >= 1) return static_cast<std::uint16_t>(maximum);
   return static_cast<std::uint16_t>(std::floor(linear_to_srgb(static_cast<double>(linear)) * maximum + 0.5));
 }

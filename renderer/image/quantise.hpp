@@ -5,8 +5,8 @@
 
 namespace rt {
 
-/// Linear light to a whole number from 0 to 2^bits − 1: floor((2^bits − 1)·sRGB(v) + 1/2), v clipped to 0 to 1 and not
-/// a number as 0. Eight bits take a table of the values where the number changes, with the same result as the formula.
+/// Linear light to an integer from 0 to 2^bits − 1: floor((2^bits − 1)·sRGB(v) + 1/2), v clamped to 0 to 1 and NaN
+/// taken as 0. For eight bits a table holds the values where the integer changes, with the same result as the formula.
 class SrgbQuantiser {
 public:
   /// `bits` is 8 or 16.
@@ -22,9 +22,9 @@ public:
 private:
   static std::uint16_t by_formula(float linear, int maximum);
 
-  static constexpr int buckets = 4096; // no code is so narrow that a bucket meets more than two
+  static constexpr int buckets = 4096; // no code is so narrow that a bucket overlaps more than two
   int bits_;
-  std::array<float, 256> first_of_next_{};         ///< the least value above code k's own
+  std::array<float, 256> first_of_next_{};         ///< the least value above code k's range
   std::array<std::uint8_t, buckets + 1> lowest_{}; ///< the code of a bucket's least value
 };
 

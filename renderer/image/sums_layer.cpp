@@ -5,7 +5,7 @@
 namespace rt::image {
 namespace {
 
-// Calls f with each word of a pixel in order, as a reference to what it is read from and written to.
+// Calls f with each word of a pixel in order, as a reference for reading and writing.
 template <class Words, class F>
 void for_each_word(Words& words, F&& f) {
   std::size_t i = 0;

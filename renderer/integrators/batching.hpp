@@ -12,21 +12,21 @@
 
 namespace rt {
 
-/// Follows rays through a `Model` of light, which says what happens to one of them at one surface. One object traces
-/// for one thread.
+/// Traces rays through a `Model` of light, which defines what happens to a ray at a surface. Each thread has its
+/// own.
 ///
-/// Rays that run close together are traced in batches: all find what they hit, then all look for the lights, then all
-/// are mirrored, and so on, as long as they stay together. What one of them sees does not depend on its company.
+/// Coherent rays are traced in batches: all find their hits, then all trace their shadow rays, then all are reflected,
+/// and so on, as long as they stay together. A ray's result does not depend on the rest of its batch.
 template <class Model>
 class BatchTracer {
 public:
   using Recorder = typename Model::Recorder;
 
-  /// All must outlive the tracer. Once `stop` is set, every ray ends at once, and results mean nothing any more.
+  /// All must outlive the tracer. Once `stop` is set, every ray ends at once, and the results are meaningless.
   BatchTracer(const CompiledScene& scene, Recorder& recorder, const std::atomic<bool>* stop = nullptr)
       : scene_(scene), model_(scene, recorder), stop_(stop) {}
 
-  /// The light that comes in along `ray` (unit direction), which starts inside of these solids:
+  /// The radiance along `ray` (unit direction), which starts inside these solids:
   /// `CompiledScene::around`.
   Color radiance(const Ray& ray, const std::vector<Medium>& inside) {
     StaticVector<PathState, 1> path;
@@ -35,8 +35,8 @@ public:
     return path[0].sum;
   }
 
-  /// The same for rays that run close together, `camera_batch_size` at most: sooner, with the same results. Recorders
-  /// hear of it as of one ray after the other.
+  /// The same for coherent rays, `camera_batch_size` at most: faster, with the same results. Recorders see one ray
+  /// after the other.
   void radiance(std::span<const Ray> rays, const std::vector<Medium>& inside, std::span<Color> results) {
     if (Model::is_recorded || rays.size() < least_batch) {
       for (std::size_t i = 0; i < rays.size(); ++i) results[i] = radiance(rays[i], inside);
@@ -53,15 +53,15 @@ public:
 private:
   using Rules = typename Model::Rules;
 
-  // Fewer rays go one by one, and so do those that are deeper: a batch's levels take room on the stack.
+  // Smaller sets are traced ray by ray, and so are deeper rays: each level of a batch takes stack space.
   static constexpr std::size_t least_batch = 4;
   static constexpr int deepest_batch = 8;
-  // Rays that pass a surface unbent are no deeper than before; where nothing but they are left this many end one.
+  // Rays that cross a surface unbent get no deeper; if nothing else stops one, this many crossings do.
   static constexpr int max_crossings = 1 << 20;
   // What a light gives to a ray of this weight is hardly ever so little: that is not worked out twice.
   static constexpr double least_strong = 1.0 / 512;
 
-  // Rays that leave a batch's surfaces in the same way, and where each comes from.
+  // Rays that leave a batch's surfaces in the same way, and the path each comes from.
   template <std::size_t Size>
   struct RayBatch {
     StaticVector<PathState, Size> paths;
@@ -77,7 +77,7 @@ private:
     paths.add([&] { return PathState{RayKind::camera, ray, tree.media.make(inside), &tree}; });
   }
 
-  // Gathers what comes in along the paths, which are of one depth.
+  // Accumulates the light along the paths, which are all at the same depth.
   template <std::size_t Size>
   void trace(std::span<PathState> paths, int depth) {
     for (PathState& path : paths) {
@@ -96,7 +96,7 @@ private:
 
   template <std::size_t Size>
   void follow(std::span<PathState> paths, int depth) {
-    std::array<PathState*, Size> going; // at first all, then those that cross surfaces unbent
+    std::array<PathState*, Size> going; // all at first, then those that cross surfaces unbent
     std::size_t count = paths.size();
     for (std::size_t i = 0; i < count; ++i) going[i] = &paths[i];
     for (int crossings = 0; count > 0 && crossings < max_crossings && !is_stopped(); ++crossings) {
@@ -110,7 +110,7 @@ private:
 
   bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
 
-  // Finds what the paths meet; those that meet nothing end.
+  // Finds the paths' hits; those that miss end.
   template <std::size_t Size>
   void intersect(std::span<PathState* const> paths, StaticVector<Interaction, Size>& interactions) {
     StaticVector<RayHit, Size> hits;
@@ -139,13 +139,13 @@ private:
     }
   }
 
-  // What the medium takes that the path has gone through; endless is as far as no hit.
+  // The absorption of the medium along the path; a miss is infinitely far away.
   void absorb(PathState& path, double length) {
     if (scene_.absorbs()) [[unlikely]]
       model_.absorb(path, length);
   }
 
-  // Few scenes have surfaces that touch: as long as none were met, no path is looked at.
+  // Few scenes have touching surfaces: until the first is hit, paths are not tested for them.
   bool are_in_contact(std::span<PathState* const> paths) const {
     return has_contacts_ && std::ranges::any_of(paths, [this](const PathState* path) { return is_in_contact(path); });
   }
@@ -159,7 +159,7 @@ private:
     model_.arrive(at, hit, scene_.values(at.surface, values));
   }
 
-  // The next of touching surfaces that the path is among; or what it meets at a hit that is contested.
+  // The next of the touching surfaces that the path is among; or what it hits where a hit is contested.
   template <std::size_t Size>
   [[gnu::noinline]] void meet_touching(PathState& path, RayHit hit, StaticVector<Interaction, Size>& interactions) {
     Contacts& contacts = path.tree->contacts;
@@ -187,7 +187,7 @@ private:
         path, met.hit, [&] { return met.surface; }, interactions);
   }
 
-  // Whether the rays of a batch are still close to one another where they meet surfaces. It decides about speed alone.
+  // Whether the rays of a batch are still coherent where they hit surfaces. Only speed depends on it.
   template <std::size_t Size>
   static bool stays_together(const StaticVector<Interaction, Size>& interactions) {
     if (interactions.size() < least_batch) return false;
@@ -196,7 +196,7 @@ private:
     return most - least < least * 0.05;
   }
 
-  // The surfaces' own light, and what the lights give.
+  // Emission, and direct light.
   template <std::size_t Size>
   void shade(StaticVector<Interaction, Size>& interactions, bool is_together) {
     for (Interaction& at : interactions) model_.add_own_light(at);
@@ -214,7 +214,7 @@ private:
     for (const Interaction& at : interactions) model_.gather(*at.path, at.light);
   }
 
-  // A light is not asked for what is in its way where all of it is allowed to be missing.
+  // No shadow ray is traced for a light all of whose contribution may be neglected.
   static void leave_out_weak(const Interaction& at, DirectLight& direct) {
     const PathState& path = *at.path;
     if (!path.tree->pruning.is_on() || max_component(path.weight * path.passed) > least_strong) return;
@@ -250,8 +250,8 @@ private:
     }
   }
 
-  // Adds what comes in by mirrored rays, and by refracted ones where they are bent. `going` becomes the paths that go
-  // on unbent, behind the surfaces; the result is their number.
+  // Adds the light along reflected rays, and along refracted ones that are bent. `going` becomes the paths that
+  // continue unbent behind the surfaces; returns their number.
   template <std::size_t Size>
   std::size_t continue_batch(const StaticVector<Interaction, Size>& interactions, bool is_together, int depth,
                              std::array<PathState*, Size>& going) {
@@ -307,7 +307,7 @@ private:
         s.terms.rho, s.at->path->inside);
   }
 
-  // True if the ray goes on unbent: then the path is the one behind the surface.
+  // True if the ray continues unbent: then the path is the one behind the surface.
   template <std::size_t Size>
   bool transmit(const Scattering& s, int depth, RayBatch<Size>& batch) {
     ++counts_.refracted;
@@ -338,7 +338,7 @@ private:
     return true;
   }
 
-  // The ray is made where it stays, which costs less than to copy it.
+  // The ray is constructed in place, which is cheaper than copying it.
   template <std::size_t Size, class MakeRay>
   void add(RayBatch<Size>& batch, RayKind kind, const Scattering& s, MakeRay&& make_ray, const Color& weight,
            MediumStacks::List inside) {
@@ -356,11 +356,11 @@ private:
   const CompiledScene& scene_;
   Model model_;
   const std::atomic<bool>* stop_;
-  std::array<RayTree, camera_batch_size> trees_; // by the place of the camera's ray in its batch
+  std::array<RayTree, camera_batch_size> trees_; // by index of the camera ray in its batch
   std::array<TraceScratch, camera_batch_size> scratch_;
-  std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; they serve until rays branch
+  std::array<MaterialValues, camera_batch_size> values_; // where they are not constant; valid until rays branch
   RayCounts counts_;
-  bool has_contacts_ = false; // surfaces that touch were met
+  bool has_contacts_ = false; // touching surfaces were hit
 };
 
 } // namespace rt

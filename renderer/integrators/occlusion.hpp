@@ -5,8 +5,8 @@
 namespace rt {
 
 /// Ambient occlusion: how much of the sky a surface sees, as a grey. Each sample is one direction above the first
-/// surface, drawn with the density cos θ / π: white if nothing that casts a shadow stands in it within the scene's
-/// `reach`. So is what no surface hides. Materials do not matter.
+/// surface, drawn with density cos θ / π: white if nothing that casts a shadow is within the scene's `reach`. A ray
+/// that hits nothing is white too. Materials do not matter.
 std::unique_ptr<const Integrator> make_occlusion(const CompiledScene& scene);
 
 } // namespace rt

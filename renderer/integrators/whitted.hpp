@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Whitted's recursive ray tracing (An Improved Illumination Model for Shaded Display, 1980), in the form that the
-/// language's reference gives under "Shading": what happens to one ray. `BatchTracer` leads rays through it.
+/// Whitted's recursive ray tracing (An Improved Illumination Model for Shaded Display, 1980), in the form defined in
+/// the language reference under "Shading": what happens to one ray. `BatchTracer` drives it.
 template <class RulesUsed, class RecorderUsed>
 class WhittedModel {
 public:
@@ -50,7 +50,7 @@ public:
     stop_following(path);
   }
 
-  /// Light comes in along the path.
+  /// Light arrives along the path.
   void gather(PathState& path, const Color& light) const {
     const Color passed = path.passed * light;
     path.sum += passed;
@@ -69,10 +69,10 @@ public:
     recorder_.surface(hit, at.surface, values, at.normal);
   }
 
-  /// The path has come to a place where surfaces touch.
+  /// The path has reached a place where surfaces touch.
   void touch(const Contacts& contacts) { recorder_.touching(contacts.met()); }
 
-  /// The path has come this far through what is inside of it.
+  /// The path has travelled this far through its medium.
   void absorb(PathState& path, double length) {
     const Medium* medium = path.tree->media.top(path.inside);
     if (!medium || scene_.absorption(*medium).is_clear()) return;
@@ -89,7 +89,7 @@ public:
     at.light = ambient + emission;
   }
 
-  /// Adds what the light gives, once shadows are known.
+  /// Adds the light's contribution, once its visibility is known.
   void add_direct_light(Interaction& at, const DirectLight& direct, std::uint32_t index) {
     LightRecord record;
     record.light = index;
@@ -112,7 +112,7 @@ public:
 
   static bool is_scattering(const Interaction& at) { return at.bsdf.is_mirror() || at.bsdf.is_transparent(); }
 
-  /// Of a scattering one.
+  /// For a scattering interaction.
   [[gnu::always_inline]] Scattering scatter(const Interaction& at) {
     const MaterialValues& v = at.bsdf.values();
     if (at.path->contact.is_inside() && !v.thin) [[unlikely]]
@@ -130,17 +130,17 @@ public:
     return scattering(at, medium, transition, eta, fresnel_eta);
   }
 
-  /// The mirrored ray, where ρ is not black.
+  /// The reflected ray, if ρ is not black.
   Ray mirror(const Scattering& s) {
     const Interaction& at = *s.at;
     if (s.terms.is_total) recorder_.total_reflection(s.transition, at.cosine);
     return Rules::leave(at.surface, reflect(at.path->ray.direction, specular_normal(at)));
   }
 
-  /// Whether light comes through: if so, the ray that fetches it is the next to be followed.
+  /// Whether light is transmitted: if so, the transmitted ray is the next to be traced.
   bool transmits(const Scattering& s) {
     const Interaction& at = *s.at;
-    if (!s.terms.is_transparent) return false; // what the surface is made of may be forgotten by now
+    if (!s.terms.is_transparent) return false; // the surface's values may be overwritten by now
     recorder_.refraction(s.terms.tau, s.transition, at.cosine, s.terms.is_bent ? s.terms.cos_behind : at.cosine);
     return s.terms.tau != black;
   }
@@ -151,8 +151,8 @@ public:
                         refract(at.path->ray.direction, specular_normal(at), s.eta, at.cosine, s.terms.cos_behind));
   }
 
-  /// The path goes on unbent, inside of `behind`. It is no deeper than before, but there must be one step to spare: so
-  /// does POV-Ray count. False: there is none.
+  /// The path continues unbent, inside `behind`. It gets no deeper, but there must be one level to spare: so POV-Ray
+  /// counts. False: there is none.
   bool transmit_straight(const Scattering& s, MediumStacks::List behind, int depth) {
     if (depth >= scene_.max_depth()) {
       recorder_.too_deep();
@@ -192,8 +192,8 @@ private:
       return at.normal;
     return bent_normal(at);
   }
-  // A normal that faces away from the viewer mirrors nothing: it is bent until the mirrored ray just leaves the surface
-  // (A. Keller et al., The Iray Light Transport Simulation and Rendering System, 2017, A.3).
+  // A normal that faces away from the viewer reflects nothing: it is bent until the reflected ray just leaves the
+  // surface (A. Keller et al., The Iray Light Transport Simulation and Rendering System, 2017, A.3).
   [[gnu::noinline]] static Vec3 bent_normal(const Interaction& at) {
     const Vec3 &n = at.surface.normal, &direction = at.path->ray.direction;
     const Vec3 mirrored = reflect(direction, at.normal);
@@ -212,7 +212,7 @@ private:
   Recorder& recorder_;
 };
 
-/// The integrator: `radiance` is the light that comes in along a ray.
+/// The integrator: `radiance` is the radiance along a ray.
 template <class Rules = OwnRules, class Recorder = NoRecorder>
 using Whitted = BatchTracer<WhittedModel<Rules, Recorder>>;
 

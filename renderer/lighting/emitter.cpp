@@ -8,8 +8,8 @@
 namespace rt {
 namespace {
 
-// 1 − cos of half the angle at which a ball is seen whose sine is the root of `sine_squared`. The difference itself
-// would lose the digits of a small ball.
+// 1 − cos of half the angle subtended by a sphere, where the sine of that half is the root of `sine_squared`. The
+// difference itself would lose the digits of a small sphere.
 double cap_height(double sine_squared) {
   return sine_squared / (1 + std::sqrt(std::max(0.0, 1 - sine_squared)));
 }
@@ -25,7 +25,7 @@ std::optional<Emitter> Emitter::make(const LampSurface& surface, const Affine& t
   const double area_before = std::visit([](const auto& s) { return area(s); }, surface);
   if (!std::isfinite(area_before) || !(area_before > 0)) return std::nullopt;
   if (to_scene == Affine{}) return Emitter(surface, to_scene, false);
-  // A ball that stays one is drawn by directions.
+  // A sphere that remains one is sampled by solid angle.
   if (const auto* ball = std::get_if<SphereGeometry>(&surface))
     if (const auto image = placed(*ball, to_scene)) return Emitter(*image, {}, false);
   return Emitter(surface, to_scene, true);
@@ -35,7 +35,7 @@ Emitter::Emitter(const LampSurface& surface, const Affine& to_scene, bool is_map
     : surface_(surface), to_scene_(to_scene), is_mapped_(is_mapped),
       area_(std::visit([](const auto& s) { return area(s); }, surface)) {}
 
-// By points all over it: what is round bulges out a little between them.
+// From sampled points: a curved surface bulges out a little between them.
 LightBounds Emitter::bounds(double power) const {
   constexpr int steps = 4;
   Box3 box;
@@ -79,7 +79,7 @@ std::optional<EmitterSample> Emitter::sample(const Vec3& p, double u, double v) 
   if (const SphereGeometry* ball = ball_seen_from(p)) {
     const Vec3 way = ball->center - p;
     const Vec3 direction = Frame(normalize(way)).vector(to_cone(u, v, seen_cap_height(*ball, p)));
-    Hit hit{dot(way, direction), 0}; // where it only touches, and rounding says that it does not
+    Hit hit{dot(way, direction), 0}; // it only touches, and rounding says that it does not
     intersect(*ball, {p, direction}, {}, hit);
     return EmitterSample{direction, hit.t};
   }

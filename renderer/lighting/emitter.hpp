@@ -7,10 +7,10 @@
 #include <optional>
 #include <variant>
 
-/// Shapes that shine, as lamps whose points can be drawn.
+/// Shapes that emit light, as area lights that can be sampled.
 namespace rt {
 
-/// A geometry whose surface can be drawn from.
+/// A geometry whose surface can be sampled.
 template <class G>
 concept Drawable = requires(const G& g) {
   area(lamp_surface(g));
@@ -50,7 +50,7 @@ struct LampSurfacesOf<std::tuple<G...>> {
 
 } // namespace detail
 
-/// What the points of any lamp are drawn from.
+/// What the points of any lamp are sampled on.
 using LampSurface = detail::LampSurfacesOf<Geometries>::Type;
 
 /// A direction towards a lamp.
@@ -59,30 +59,30 @@ struct EmitterSample {
   double distance; ///< to the point of the lamp
 };
 
-/// A surface that shines, in the scene's space. Its points are drawn by area; those of a ball that is seen from outside
-/// by the directions to it.
+/// An emitting surface in scene space. Its points are sampled by area; those of a sphere seen from outside by solid
+/// angle.
 class Emitter {
 public:
-  /// The surface, and the map that places it. Nothing where it has no finite area.
+  /// The surface, and the map that places it. Nothing if it has no finite area.
   static std::optional<Emitter> make(const LampSurface& surface, const Affine& to_scene);
 
-  /// Draws a direction from p, for u and v that are spread evenly; nothing where p is a point of the lamp's.
+  /// Samples a direction from p, for uniform u and v; nothing if p is a point of the lamp itself.
   std::optional<EmitterSample> sample(const Vec3& p, double u, double v) const;
-  /// How densely that draws the direction (unit) that leads from p to a point of the lamp, per solid angle.
+  /// The density, per solid angle, with which that samples the direction (unit) from p to a point of the lamp.
   double density(const Vec3& p, const Vec3& direction, const Vec3& point, const Vec3& normal) const;
 
   /// Any point of the surface.
   AreaPoint point(double u, double v) const;
-  /// About, where the map stretches it.
+  /// Approximate, where the map stretches it.
   double surface_area() const;
   /// As a lamp of this power.
   LightBounds bounds(double power) const;
 
 private:
   Emitter(const LampSurface& surface, const Affine& to_scene, bool is_mapped);
-  /// The ball as which it is seen from p, where it is one and p lies outside.
+  /// The sphere as which it is seen from p, if it is one and p lies outside.
   const SphereGeometry* ball_seen_from(const Vec3& p) const;
-  /// How much the map enlarges the surface where its normal is this, in the scene's space.
+  /// The factor by which the map enlarges the surface where this is its normal, in scene space.
   double enlargement(const Vec3& normal) const;
 
   LampSurface surface_;

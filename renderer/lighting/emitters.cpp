@@ -10,12 +10,12 @@
 
 namespace rt {
 
-/// Walks through the compiled scene. Aggregates without a lamp are not entered, however often they stand there.
+/// Traverses the compiled scene. Aggregates without a lamp are skipped, however often they are placed.
 class Emitters::Search {
 public:
   Search(Emitters& emitters, const MaterialBindings& bindings) : emitters_(emitters), bindings_(bindings) {}
 
-  /// What material those inherit that write none, and where its patterns live.
+  /// The material that objects without one inherit, and the space of its patterns.
   struct Place {
     Affine to_scene;
     BindingId inherited;
@@ -80,7 +80,7 @@ private:
     }
   }
 
-  // By the surfaces of the operands. What of them is no surface of the solid is drawn in vain.
+  // By the surfaces of the operands. Samples on parts that are no surface of the solid are wasted.
   void visit_solids(const Aggregate& aggregate, const SolidLeaves& leaves, const Place& place) {
     for (std::uint32_t i = 0; i < leaves.size(); ++i) {
       const LeafTag tag = leaves.tag(i);
@@ -119,8 +119,8 @@ private:
     }
   }
 
-  // About how much a lamp of this material gives off. A pattern is looked at in some places: wherever they are, the
-  // lamp is drawn often enough.
+  // Roughly how much light a lamp of this material emits. A pattern is evaluated at a few points: whatever they give,
+  // the lamp is sampled often enough.
   double radiance(BindingId binding) const {
     MaterialValues scratch;
     double sum = 0;
@@ -142,7 +142,7 @@ Emitters::Emitters(const CompiledScene& scene) {
   const MaterialBindings& bindings = scene.bindings();
   if (!bindings.any_shines()) return;
   Search(*this, bindings).visit(scene.objects(), {{}, bindings.default_binding(), 0});
-  // However the scene was compiled.
+  // Independent of how the scene was compiled.
   std::stable_sort(list_.begin(), list_.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.order, a.identity.operand) < std::tie(b.order, b.identity.operand);
   });

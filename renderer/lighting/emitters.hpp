@@ -10,8 +10,8 @@
 
 namespace rt {
 
-/// The lamps among the shapes of a scene: all whose material shines, whose points can be drawn, and which block light.
-/// What blocks none is seen, but lights nothing.
+/// The lamps among the shapes of a scene: all whose material emits light, whose surface can be sampled, and which block
+/// light. One that blocks none is visible but lights nothing.
 class Emitters {
 public:
   explicit Emitters(const CompiledScene& scene);
@@ -19,17 +19,17 @@ public:
   bool is_empty() const { return list_.empty(); }
   const Emitter& operator[](std::uint32_t index) const { return list_[index].emitter; }
 
-  /// Which of them was hit.
+  /// The one that was hit, if any.
   std::optional<std::uint32_t> find(const RayHit& hit) const;
 
   using Choice = LightTree::Choice;
-  /// Picks one for a point, by how much light it may send there, for `u` that is spread evenly. There must be one.
+  /// Chooses one for a point, by how much light it may send there, for a uniform `u`. There must be one.
   Choice choose(const Vec3& p, double u) const { return tree_.choose(p, u); }
-  /// How likely it is picked for p.
+  /// The probability that it is chosen for p.
   double probability(std::uint32_t index, const Vec3& p) const { return tree_.probability(index, p); }
 
 private:
-  // What a hit of it carries.
+  // What a hit on it contains.
   struct Identity {
     const void* leaves;
     std::uint64_t base;

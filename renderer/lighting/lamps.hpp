@@ -5,7 +5,7 @@
 
 namespace rt {
 
-/// All that shines in a scene, but for what is seen where nothing is.
+/// All that emits light in a scene, except the environment.
 struct Lamps {
   /// The scene must outlive them.
   explicit Lamps(const CompiledScene& scene) : emitters(scene), sized(scene.lights()) {
@@ -14,8 +14,8 @@ struct Lamps {
   }
 
   Emitters emitters;           ///< shapes
-  SizedLamps sized;            ///< balls and suns that are seen
-  std::vector<Light> sizeless; ///< which no path finds by chance
+  SizedLamps sized;            ///< spheres and suns that are visible
+  std::vector<Light> sizeless; ///< which no path hits by chance
 };
 
 } // namespace rt

@@ -9,7 +9,7 @@
 namespace rt {
 namespace {
 
-// cos and sin of the difference of two angles between 0 and 180°, or of 0 where the second is the greater.
+// cos and sin of the difference of two angles between 0 and 180°, or of 0 if the second is the greater.
 struct Angle {
   double cosine, sine;
 };
@@ -21,7 +21,7 @@ Angle with_cosine(double cosine) {
   return {cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine))};
 }
 
-// The cone about the sum of both axes that holds both. Wider than need be where one has a much wider spread.
+// The cone about the sum of both axes that contains both. Wider than necessary if one has a much wider spread.
 void unite_cones(LightBounds& all, const LightBounds& a, const LightBounds& b) {
   const double side = dot(a.axis, b.axis) < 0 ? -1 : 1;
   const Vec3 middle = normalize(a.axis + b.axis * side);
@@ -68,7 +68,7 @@ LightTree::LightTree(std::span<const LightBounds> lamps) : ways_(lamps.size()) {
   if (!order.empty()) build(order, lamps, 0, 0);
 }
 
-// Halves the lamps along the axis in which they are spread the most: no way is longer than it must be.
+// Halves the lamps along the axis of their greatest extent: no path is longer than it must be.
 void LightTree::build(std::span<std::uint32_t> lamps, std::span<const LightBounds> bounds, std::uint64_t way,
                       int depth) {
   const std::size_t node = nodes_.size();
@@ -95,7 +95,7 @@ void LightTree::build(std::span<std::uint32_t> lamps, std::span<const LightBound
   nodes_[node] = {united(nodes_[node + 1].bounds, nodes_[second].bounds), second, 0};
 }
 
-// Where nothing seems to come from either side, both are as good.
+// If neither side seems to contribute, both are equally likely.
 double LightTree::first_probability(std::size_t node, const Vec3& p) const {
   const double first = importance(nodes_[node + 1].bounds, p),
                second = importance(nodes_[nodes_[node].second].bounds, p);

@@ -45,7 +45,7 @@ double SizedLamps::probability(std::uint32_t index, const Vec3& p) const {
   return sum > 0 ? weight(list_[index], p) / sum : 0;
 }
 
-// 1 − cos of half the angle that it is seen at, without a difference that cancels; 0 from inside of a ball.
+// 1 − cos of half the angle it subtends, without a difference that cancels; 0 from inside a sphere.
 double SizedLamps::cap_height(const SizedLamp& lamp, const Vec3& p) const {
   if (lamp.is_sun) return lamp.size;
   const Vec3 way = lamp.place - p;
@@ -58,7 +58,7 @@ SizedLamps::Direction SizedLamps::sample(std::uint32_t index, const Vec3& p, dou
   const Vec3 middle = lamp.is_sun ? lamp.place : normalize(lamp.place - p);
   const Vec3 direction = Frame(middle).vector(to_cone(u, v, cap_height(lamp, p)));
   if (lamp.is_sun) return {direction, std::numeric_limits<double>::infinity()};
-  Hit hit{dot(lamp.place - p, direction), 0}; // where it only touches, and rounding says that it does not
+  Hit hit{dot(lamp.place - p, direction), 0}; // it only touches, and rounding says that it does not
   intersect(SphereGeometry{lamp.place, lamp.size}, {p, direction}, {}, hit);
   return {direction, hit.t};
 }

@@ -8,13 +8,13 @@
 
 namespace rt {
 
-/// Whether the lamp is a ball that is seen, or a sun that is seen as a disc. One that nothing blocks has no size: it is
-/// no thing of this world.
+/// Whether the lamp is a visible sphere, or a sun visible as a disc. One that nothing blocks has no size: it is not a
+/// physical object.
 bool has_size(const Light& lamp);
 
-/// The lamps of a scene that have a size. Their radiance is such that their size changes nothing but the edges of
-/// shadows: seen from a point at the distance D from its middle, a ball of radius r shines with color · D²/r², color
-/// being what a lamp without size would give there; a sun of half angle a with color/sin² a.
+/// The lamps of a scene that have a size. Their radiance is such that size changes only the edges of shadows: seen from
+/// a point at the distance D from its centre, a sphere of radius r has radiance color · D²/r², color being what a lamp
+/// without size would give there; a sun of half angle a has color/sin² a.
 class SizedLamps {
 public:
   explicit SizedLamps(std::span<const Light> lamps);
@@ -25,20 +25,20 @@ public:
     std::uint32_t index;
     double probability;
   };
-  /// Picks one for a point, by how much light it gives there; nothing where none does.
+  /// Chooses one for a point, by how much light it gives there; nothing if none gives any.
   std::optional<Choice> choose(const Vec3& p, double u) const;
   double probability(std::uint32_t index, const Vec3& p) const;
 
   struct Direction {
     Vec3 to_lamp;    ///< unit
-    double distance; ///< to the ball; infinite for a sun
+    double distance; ///< to the sphere; infinite for a sun
   };
-  /// Draws a direction to one of them from p, which is outside of it, for u and v that are spread evenly. All are drawn
-  /// with the same density.
+  /// Samples a direction to one of them from p, which is outside of it, for uniform u and v. The density is
+  /// uniform.
   Direction sample(std::uint32_t index, const Vec3& p, double u, double v) const;
   /// Per solid angle; 0 where p is not outside.
   double density(std::uint32_t index, const Vec3& p) const;
-  /// What comes from it to p.
+  /// Its radiance at p.
   Color radiance(std::uint32_t index, const Vec3& p) const;
 
   struct BallHit {
@@ -54,8 +54,8 @@ private:
   struct SizedLamp {
     const Light* light;
     bool is_sun;
-    Vec3 place;  // the middle of a ball, or the direction to a sun
-    double size; // radius of a ball, or 1 − cos of a sun's half angle
+    Vec3 place;  // the centre of a sphere, or the direction to a sun
+    double size; // radius of a sphere, or 1 − cos of a sun's half angle
   };
   double cap_height(const SizedLamp& lamp, const Vec3& p) const;
   double weight(const SizedLamp& lamp, const Vec3& p) const;

@@ -11,7 +11,7 @@ struct LightCommon {
   bool shadows = true; ///< false: nothing blocks it, and it gives diffuse light only
 };
 
-/// The rows of a light's table that are the same for several kinds.
+/// The rows of the field table that several kinds of light share.
 template <class L>
 inline constexpr Field color_field = field<&L::color>("color", {"white", "colour of the light", not_negative});
 template <class L>
@@ -34,7 +34,7 @@ namespace rt {
 struct LightSample {
   Vec3 to_light;   ///< unit
   double distance; ///< to the light; infinite for a sun
-  double fade = 1; ///< the weakening with distance
+  double fade = 1; ///< the attenuation with distance
   double spot = 1; ///< 0 outside a spot's cone, 1 in its full light and for all other lights
   Color color{};   ///< of the light that arrives if nothing is in the way: color · intensity · fade · spot
 };
@@ -49,7 +49,7 @@ struct LightExtent {
 /// What is left of light at a distance.
 double fade_at(const scene::Fade& fade, double distance);
 
-/// Of a light that stands at `at`, seen from `p`. Where both are the same point, `distance` is 0 and the rest
+/// For a light at `at`, seen from `p`. If both are the same point, `distance` is 0 and the rest is
 /// meaningless.
 inline LightSample sample_from(const Vec3& at, const scene::Fade& fade, const Vec3& p) {
   const Vec3 way = at - p;

@@ -5,13 +5,13 @@
 
 namespace rt::scene {
 
-/// Light from a point, equal in all directions.
+/// Light from a point, the same in all directions.
 struct PointLight : LightCommon {
   static constexpr std::string_view noun = "light";
   static constexpr std::string_view help = "a lamp that shines from a point, equally in all directions";
   Vec3 at{};
   Fade fade;
-  std::optional<double> radius; ///< of the ball that it is in path mode; 0
+  std::optional<double> radius; ///< of the sphere that it is in path mode; 0
 };
 
 std::span<const Field> fields(const PointLight*);

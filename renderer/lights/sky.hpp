@@ -7,9 +7,9 @@
 
 namespace rt::scene {
 
-/// Light from all around, from infinitely far away: what rays see that meet nothing. It goes over from the horizon to
-/// the zenith with the sine of the height; below the horizon it is even. Path mode alone follows its light to surfaces.
-struct SkyLight : LightCommon { // its own colours take the place of the common one
+/// Light from all around, from infinitely far away: what rays that hit nothing see. It blends from the horizon to the
+/// zenith with the sine of the elevation; below the horizon it is constant. Only path mode lights surfaces with it.
+struct SkyLight : LightCommon { // with its own colours instead of the common one
   static constexpr std::string_view noun = "sky";
   static constexpr std::string_view help = "what is seen where nothing is; in path mode it lights the scene";
   Color zenith = white, horizon = white;
@@ -30,7 +30,7 @@ struct SkyEmitter {
 
 SkyEmitter placed(const scene::SkyLight& light, const Affine& to_scene);
 
-/// What comes from the direction that `direction` (unit) points to.
+/// The radiance from `direction` (unit).
 inline Color radiance(const SkyEmitter& sky, const Vec3& direction) {
   const double height = dot(sky.up, direction);
   return height < 0 ? sky.ground : sky.horizon + (sky.zenith - sky.horizon) * height;

@@ -5,17 +5,17 @@
 
 namespace rt::scene {
 
-/// A point light within a cone about the line to `look_at`: full inside the full angle `angle`, none outside
-/// `falloff` (degrees, `angle` unless given), a smoothstep in the cosine of the half angle between.
+/// A point light within a cone about the line to `look_at`: full inside the full angle `angle`, none outside `falloff`
+/// (degrees, `angle` unless given), with a smoothstep in the cosine of the half angle between them.
 struct SpotLight : LightCommon {
   static constexpr std::string_view noun = "spot";
   static constexpr std::string_view help = "a lamp that shines within a cone";
-  Vec3 at{0, 3, 0}; ///< from there a sphere of radius 1 about the origin just fits the cone: asin(1/3) = 19.5°
+  Vec3 at{0, 3, 0}; ///< from there a sphere of radius 1 about the origin just fits into the cone: asin(1/3) = 19.5°
   Vec3 look_at{};
   double angle = 40;
   std::optional<double> falloff;
   Fade fade;
-  std::optional<double> radius; ///< of the ball that it is in path mode; 0
+  std::optional<double> radius; ///< of the sphere that it is in path mode; 0
 };
 
 std::span<const Field> fields(const SpotLight*);
@@ -27,7 +27,7 @@ namespace rt {
 
 struct SpotEmitter {
   Vec3 at;
-  Vec3 axis;       ///< unit, away from it
+  Vec3 axis;       ///< unit, away from the light
   double cos_full; ///< of the half angle of the cone of full light
   double cos_none; ///< of the half angle beyond which there is none
   scene::Fade fade;

@@ -12,7 +12,7 @@ struct SunLight : LightCommon {
   static constexpr std::string_view noun = "sun";
   static constexpr std::string_view help = "light from infinitely far away; it never fades";
   Vec3 direction{-1, -2, -1};
-  std::optional<double> size; ///< the angle that it is seen at in path mode, degrees; 0
+  std::optional<double> size; ///< its angular diameter in path mode, degrees; 0
 };
 
 std::span<const Field> fields(const SunLight*);
@@ -23,8 +23,8 @@ std::optional<Problem> check(const SunLight&);
 namespace rt {
 
 struct SunEmitter {
-  Vec3 direction;        ///< unit; the way its light travels
-  double cap_height = 0; ///< 1 − cos of half the angle that it is seen at
+  Vec3 direction;        ///< unit; the direction in which its light travels
+  double cap_height = 0; ///< 1 − cos of half its angular diameter
 };
 
 SunEmitter placed(const scene::SunLight& light, const Affine& to_scene);

@@ -48,7 +48,7 @@ Box3 transform_box(const Affine& a, const Box3& box) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double m = columns[i][j];
-      if (m == 0) continue; // so that 0 · ∞ does not spoil the box
+      if (m == 0) continue; // so that 0 · ∞ does not make the box NaN
       const double p = m * box.lower[i], q = m * box.upper[i];
       image.lower[j] += std::min(p, q);
       image.upper[j] += std::max(p, q);

@@ -19,11 +19,11 @@ struct Affine {
   constexpr Ray ray(const Ray& r) const { return {point(r.origin), vector(r.direction)}; }
   constexpr double determinant() const { return dot(x, cross(y, z)); }
 
-  /// The map's linear part transposed, applied to `n`: with the *inverse* map this carries a normal, not normalised.
+  /// The transpose of the linear part applied to `n`: with the *inverse* map this transforms a normal, not normalised.
   constexpr Vec3 transposed_vector(const Vec3& n) const { return {dot(x, n), dot(y, n), dot(z, n)}; }
 
-  /// A vector perpendicular to the image of a surface whose outward normal is `n`, outward too, not normalised: the
-  /// inverse transposed times |determinant|, which needs no inverse.
+  /// A vector perpendicular to the image of a surface whose outward normal is `n`, also outward, not normalised: the
+  /// inverse transpose times |determinant|, which needs no inverse.
   constexpr Vec3 normal(const Vec3& n) const {
     const Vec3 image = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
     return determinant() < 0 ? -image : image;
@@ -48,14 +48,14 @@ constexpr Affine operator*(const Affine& a, const Affine& b) {
 /// The inverse map; nothing if the determinant is zero or not finite.
 std::optional<Affine> inverse(const Affine& a);
 
-/// The factor by which the map enlarges all lengths alike, if it does (to 1e-14): it turns, mirrors, moves and scales
-/// only.
+/// The factor by which the map scales all lengths alike, if it does (to 1e-14): it only rotates, mirrors, moves and
+/// scales uniformly.
 std::optional<double> similarity_scale(const Affine& a);
 
-/// The factor by which it enlarges lengths, in the mean: the cube root of that for volumes.
+/// The mean factor by which it scales lengths: the cube root of that for volumes.
 double mean_scale(const Affine& a);
 
-/// The smallest box around the image of `box`; infinite sides stay infinite.
+/// The bounding box of the image of `box`; infinite sides stay infinite.
 Box3 transform_box(const Affine& a, const Box3& box);
 
 } // namespace rt

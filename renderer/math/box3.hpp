@@ -25,13 +25,13 @@ struct Box3 {
   friend constexpr bool operator==(const Box3&, const Box3&) = default;
 };
 
-/// What both hold, the empty box where that is nothing.
+/// The intersection, the empty box if there is none.
 constexpr Box3 overlap(const Box3& a, const Box3& b) {
   const Box3 both{max(a.lower, b.lower), min(a.upper, b.upper)};
   return both.is_empty() ? Box3{} : both;
 }
 
-/// The box that holds all of space.
+/// The box that contains all of space.
 inline Box3 all_space() {
   constexpr double inf = std::numeric_limits<double>::infinity();
   return {{-inf, -inf, -inf}, {inf, inf, inf}};

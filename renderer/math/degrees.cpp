@@ -10,7 +10,7 @@ namespace {
 
 constexpr double per_radian = 180 / std::numbers::pi;
 
-// The sine of an angle of the set square, rounded to the nearest, for a from 0 to 90.
+// The sine of a multiple of 30° or 45°, correctly rounded, for a from 0 to 90.
 std::optional<double> set_square_sine(double a) {
   if (a == 0) return 0;
   if (a == 30) return 0.5;
@@ -20,7 +20,7 @@ std::optional<double> set_square_sine(double a) {
   return std::nullopt;
 }
 
-// An arc that rounding has moved off a whole number of degrees is put back: `f` of that number is the same double.
+// If rounding has moved an arc off a whole number of degrees it is moved back: `f` of that number is the same double.
 template <typename F>
 double whole_if_same(double degrees, double value, F f) {
   const double whole = std::round(degrees);

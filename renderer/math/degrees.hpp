@@ -2,8 +2,8 @@
 
 namespace rt {
 
-/// Trigonometry in degrees. The angles of the set square are as exact as doubles are, both ways: sin(30) is ½, sin(45)
-/// and cos(45) are one number, tan(45) is 1, and asin of what sin gives for a whole number of degrees is that number.
+/// Trigonometry in degrees. Multiples of 30° and 45° are as exact as doubles allow, both ways: sin(30) is ½, sin(45)
+/// and cos(45) are the same number, tan(45) is 1, and asin inverts sin exactly for a whole number of degrees.
 double sin_degrees(double degrees);
 double cos_degrees(double degrees);
 /// Infinite where the cosine is 0.

@@ -22,7 +22,7 @@ double arc_sine_excess(double square) {
 
 } // namespace
 
-// Taylor's series: what is left out is below 10⁻¹⁸.
+// Taylor series: the truncation error is below 10⁻¹⁸.
 SineCosine sine_cosine_near_zero(double angle) {
   const double z = angle * angle;
   double sine = 1, cosine = 1;
@@ -56,7 +56,7 @@ double arc_cosine(double cosine) {
   return cosine > 0 ? angle : std::numbers::pi - angle;
 }
 
-// e^(−x) = (e^(−x/1024))^1024, the inner one by Taylor's series.
+// e^(−x) = (e^(−x/1024))^1024, the inner one by its Taylor series.
 double exponential_decay(double x) {
   const double y = x / 1024;
   double result = 1;

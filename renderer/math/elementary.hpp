@@ -1,18 +1,18 @@
 #pragma once
 
-/// Elementary functions that give the same bits on every machine. The C library's do not: glibc has variants with
-/// fused multiplication and chooses among them by processor. Here are sums and products alone, correct to a few units
-/// in the last place.
+/// Elementary functions that give the same bits on every machine. The C library's do not: glibc has variants with fused
+/// multiply-add and selects them by processor. Here are sums and products only, accurate to a few units in the last
+/// place.
 namespace rt {
 
 struct SineCosine {
   double sine, cosine;
 };
 
-/// Of an angle between −π/4 and π/4, in radians.
+/// For an angle between −π/4 and π/4, in radians.
 SineCosine sine_cosine_near_zero(double angle);
 
-/// Of 2π times `turns`, which lies between 0 and 1.
+/// For 2π times `turns`, which lies between 0 and 1.
 SineCosine sine_cosine_of_turns(double turns);
 
 /// In radians; the argument lies between −1 and 1.

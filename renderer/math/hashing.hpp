@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// Sums up numbers into one of 64 bits, the same on every machine.
+/// Hashes numbers to 64 bits, the same on every machine.
 class Hasher {
 public:
   Hasher& add(std::uint64_t bits) {
@@ -18,7 +18,7 @@ public:
     hash_ ^= hash_ >> 29;
     return *this;
   }
-  /// 0 and -0 count the same, as they are equal.
+  /// 0 and -0 hash alike, as they compare equal.
   Hasher& add(double number) { return add(std::bit_cast<std::uint64_t>(number + 0.0)); }
   Hasher& add(const Vec3& v) { return add(v.x).add(v.y).add(v.z); }
   Hasher& add(const Color& c) { return add(c.r).add(c.g).add(c.b); }

@@ -4,8 +4,8 @@
 
 namespace rt {
 
-/// The numbers t with lower < t ≤ upper. Along a ray: what lies beyond its origin (or the last hit), up to the best hit
-/// found so far. An infinite t is in no interval whose bounds are finite.
+/// The numbers t with lower < t ≤ upper. Along a ray: from its origin (or the last hit) to the best hit found so far.
+/// An infinite t is in no interval with finite bounds.
 struct Interval {
   double lower = 0;
   double upper = std::numeric_limits<double>::max();

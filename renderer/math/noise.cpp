@@ -10,7 +10,7 @@
 namespace rt {
 namespace {
 
-/// The gradient at a lattice point: one of the twelve from the middle of a cube to its edges.
+/// The gradient at a lattice point: one of the twelve from the centre of a cube to its edges.
 const Vec3& lattice_gradient(std::uint64_t seed, const Vec3& corner) {
   static constexpr std::array<Vec3, 12> gradients{{{1, 1, 0},
                                                    {-1, 1, 0},
@@ -24,7 +24,7 @@ const Vec3& lattice_gradient(std::uint64_t seed, const Vec3& corner) {
                                                    {0, -1, 1},
                                                    {0, 1, -1},
                                                    {0, -1, -1}}};
-  constexpr std::uint64_t number_tag = 6; // what the language hashes a number with
+  constexpr std::uint64_t number_tag = 6; // the tag with which the language hashes a number
   std::uint64_t h = seed;
   for (const double k : {corner.x, corner.y, corner.z}) h = mixed_seed(h, Hasher().add(number_tag).add(k).value());
   return gradients[h % gradients.size()];
@@ -41,7 +41,7 @@ double mix(double a, double b, double t) {
   return a + (b - a) * t;
 }
 
-/// The cell of the lattice around a point, and its place in there.
+/// The lattice cell that contains a point, and the point's position in it.
 struct Cell {
   Vec3 corner, offset;
 };
@@ -69,7 +69,7 @@ double gradient_noise(std::uint64_t seed, const Vec3& p) {
   return std::clamp(value, -1.0, 1.0);
 }
 
-// The product rule along each of the three nested mixtures.
+// The product rule along each of the three nested interpolations.
 NoiseAndGradient gradient_noise_with_gradient(std::uint64_t seed, const Vec3& p) {
   const double value = gradient_noise(seed, p);
   if (!is_finite(p)) return {value, {value, value, value}};

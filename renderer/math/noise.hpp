@@ -6,9 +6,9 @@
 
 namespace rt {
 
-/// Gradient noise (K. Perlin, Improving Noise, SIGGRAPH 2002), with hashes in the place of its permutation table, so
-/// that it has no period: from −1 to 1, and 0 at points with whole coordinates. The same bits on every machine. Not a
-/// number where the point is not finite.
+/// Gradient noise (K. Perlin, Improving Noise, SIGGRAPH 2002), with hashes instead of its permutation table, so that it
+/// is not periodic: from −1 to 1, and 0 at points with integer coordinates. The same bits on every machine. NaN if the
+/// point is not finite.
 double gradient_noise(std::uint64_t seed, const Vec3& p);
 
 struct NoiseAndGradient {
@@ -17,11 +17,11 @@ struct NoiseAndGradient {
 };
 NoiseAndGradient gradient_noise_with_gradient(std::uint64_t seed, const Vec3& p);
 
-/// It changes no faster than this along an axis: the gradients' own 1, and the fade curve's steepest, 15/8, times the
-/// largest difference of two corners' heights, 3.
+/// A bound on its slope along an axis: the gradients' own 1, plus the fade curve's steepest, 15/8, times the largest
+/// difference of two corners' values, 3.
 inline constexpr double steepest_noise = 6.625;
 
-/// How noise is seeded by keys: each is mixed into the seed of those before it.
+/// How keys seed noise: each is mixed into the seed of those before it.
 std::uint64_t mixed_seed(std::uint64_t seed, std::uint64_t key_hash);
 
 } // namespace rt

@@ -4,7 +4,7 @@
 
 namespace rt {
 
-/// The half-line origin + t·direction, t > 0. The direction need not be a unit vector: t counts its lengths.
+/// The half-line origin + t·direction, t > 0. The direction need not be a unit vector: t is in multiples of it.
 struct Ray {
   Vec3 origin;
   Vec3 direction;

@@ -7,14 +7,14 @@
 
 namespace rt {
 
-/// A bound on the relative error that n roundings in a row leave: n·u / (1 − n·u), u = 2⁻⁵³ (Higham, Accuracy and
-/// Stability of Numerical Algorithms, section 3.1).
+/// A bound on the relative error of n successive roundings: n·u / (1 − n·u), u = 2⁻⁵³ (Higham, Accuracy and Stability
+/// of Numerical Algorithms, section 3.1).
 constexpr double rounding_bound(int n) {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
   return n * unit / (1 - n * unit);
 }
 
-/// The sum of the coordinates' magnitudes, which no rounding error in a dot product with a unit vector exceeds.
+/// The sum of the coordinates' magnitudes: a scale that bounds the rounding error of a dot product with a unit vector.
 inline double magnitude(const Vec3& p) {
   return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
 }

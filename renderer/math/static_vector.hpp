@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Up to `Capacity` values without an allocation. They are made one by one where they stay: nothing is filled in
-/// before, and nothing is copied.
+/// Up to `Capacity` values without an allocation. They are constructed in place one by one: nothing is initialised up
+/// front, and nothing is copied.
 template <class T, std::size_t Capacity>
 class StaticVector {
   static_assert(std::is_trivially_destructible_v<T>);

@@ -39,7 +39,7 @@ constexpr Vec3 operator/(const Vec3& a, double s) {
   return {a.x / s, a.y / s, a.z / s};
 }
 
-/// The product component by component.
+/// The component-wise product.
 constexpr Vec3 multiply(const Vec3& a, const Vec3& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }

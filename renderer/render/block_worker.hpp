@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// Works through a tile block by block; the rays of a block are traced together.
+/// Traces a tile block by block; the rays of a block are traced together.
 class BlockWorker : public TileWorker {
 public:
   explicit BlockWorker(PictureJob& job) : job_(job), tracer_(job.make_tracer()) {}
@@ -15,7 +15,7 @@ public:
   const RayCounts& counts() const final { return tracer_->counts(); }
 
 protected:
-  /// At most `camera_batch_size` pixels. False where it was stopped: a single ray among many panes of glass may take
+  /// At most `camera_batch_size` pixels. False if it was stopped: a single ray among many panes of glass may take
   /// seconds.
   virtual bool trace(const PixelRect& block) = 0;
 

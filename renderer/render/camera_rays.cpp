@@ -12,7 +12,7 @@ CameraRays::CameraRays(const scene::Camera& camera, scene::Resolution size)
   forward_ = normalize(camera.look_at - camera.at);
   const Vec3 right = normalize(cross(forward_, camera.up));
   const Vec3 up = cross(right, forward_);
-  // Half the width of the picture, at distance 1 or, without perspective, in the scene itself.
+  // Half the width of the picture, at distance 1 or, if orthographic, in the scene itself.
   const double half_width = is_orthographic_ ? camera.width / 2 : tan_degrees(camera.fov / 2);
   right_ = right * half_width;
   down_ = up * (-half_width * height_ / width_);

@@ -6,10 +6,10 @@
 
 namespace rt {
 
-/// The rays of a camera for a picture of one size.
+/// The rays of a camera for a picture of one resolution.
 class CameraRays {
 public:
-  /// `camera` must have passed its check: it looks somewhere, and not along `up`.
+  /// `camera` must have passed validation: it has a view direction that is not along `up`.
   CameraRays(const scene::Camera& camera, scene::Resolution size);
 
   /// The ray through a point of the picture in continuous pixel coordinates: (0, 0) is the top left corner, and the
@@ -25,17 +25,17 @@ public:
     return ray(pixel.x + sampler.get(pixel, sample, 0), pixel.y + sampler.get(pixel, sample, 1));
   }
 
-  /// The ray through that point of the picture and a point of the lens, for u and v that are spread evenly: all of them
-  /// meet in the plane of focus. Without a lens it is the one ray.
+  /// The ray through that point of the picture and a point of the lens, for uniform u and v: all of them meet in the
+  /// plane of focus. Without a lens it is the single ray.
   Ray lens_ray(double x, double y, double u, double v) const;
   bool has_lens() const { return lens_radius_ > 0; }
 
-  /// Whether all rays of `ray` start at the same point.
+  /// Whether all rays from `ray` start at the same point.
   bool has_one_eye() const { return !is_orthographic_; }
 
 private:
   Vec3 origin_;
-  Vec3 forward_, right_, down_; // right_ and down_ reach from the picture's middle to its edges
+  Vec3 forward_, right_, down_; // right_ and down_ reach from the picture's centre to its edges
   double width_, height_;
   bool is_orthographic_;
   double lens_radius_, focus_distance_;

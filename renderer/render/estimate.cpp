@@ -11,9 +11,9 @@
 namespace rt {
 namespace {
 
-// As many independent sequences of samples, whose means tell the error of the whole.
+// The number of independent sequences of samples, whose means give the error of the whole.
 constexpr std::uint32_t sequences = 16;
-// Fewer may agree by accident.
+// Fewer may agree by chance.
 constexpr std::uint32_t least_samples = 64;
 
 class Means {
@@ -35,11 +35,11 @@ private:
   std::array<Color, sequences> sums_{};
 };
 
-// Doubles the samples, `draw` by `draw`, until they are enough.
+// Doubles the samples, `draw` by `draw`, until they suffice.
 template <class Draw>
 Estimate refine(double precision, Draw&& draw) {
   Means means;
-  std::uint32_t drawn = 0; // of each sequence
+  std::uint32_t drawn = 0; // in each sequence
   for (std::uint32_t samples = sequences;; samples *= 2) {
     for (; drawn < samples / sequences; ++drawn)
       for (std::uint32_t sequence = 0; sequence < sequences; ++sequence)

@@ -26,26 +26,26 @@ struct Xyz32 {
   float x = 0, y = 0, z = 0;
 };
 
-/// A finished picture: linear colour of every pixel, row by row from the top left. Where layers were asked for they
-/// hold the first hit of the pixel's centre ray: otherwise they are empty.
+/// A finished picture: the linear colour of every pixel, row by row from the top left. If layers were requested they
+/// hold the first hit of the pixel's centre ray; otherwise they are empty.
 struct Film {
   int width = 0, height = 0;
   std::vector<Rgb32> color;
 
   std::vector<double> depth;            ///< Euclidean distance from the ray's origin; infinite for a miss
-  std::vector<Xyz32> normal;            ///< unit, in the scene's space, turned to the viewer; zero for a miss
-  std::vector<Xyz32> position;          ///< in the scene's space; zero for a miss
+  std::vector<Xyz32> normal;            ///< unit, in scene space, facing the viewer; zero for a miss
+  std::vector<Xyz32> position;          ///< in scene space; zero for a miss
   std::vector<std::uint32_t> object_id; ///< from 1 in order of declaration; 0 for a miss
   std::vector<Rgb32> albedo;            ///< the surface's colour, pattern evaluated
 
   std::vector<Rgb32> error; ///< with random samples: the standard error of the colour, estimated for each pixel
   std::vector<std::uint32_t> samples;      ///< and how many there were
-  std::vector<PixelSums> sums;             ///< what further samples can be added to, where that was asked for
-  std::vector<std::uint32_t> noise_states; ///< and what `NoiseBlocks` must know to go on
+  std::vector<PixelSums> sums;             ///< what further samples can be added to, if requested
+  std::vector<std::uint32_t> noise_states; ///< and what `NoiseBlocks` needs to continue
 
   ToneMapping tone_mapping; ///< how it is to be shown; all colours here are linear light
 
-  /// Where it stands in the whole picture, which may be larger: its upper left corner, and the picture's size.
+  /// Its place in the whole picture, which may be larger: its upper left corner, and the picture's size.
   int left = 0, top = 0;
   int picture_width = 0, picture_height = 0; ///< 0: the film is the whole picture
 
@@ -55,7 +55,7 @@ struct Film {
   }
 };
 
-/// What the pixels of a film take.
+/// The memory that the pixels of a film take.
 constexpr std::uint64_t film_bytes(const PixelRect& rect, bool layers) {
   constexpr std::uint64_t color = sizeof(Rgb32);
   constexpr std::uint64_t further = sizeof(double) + 2 * sizeof(Xyz32) + sizeof(std::uint32_t) + sizeof(Rgb32);

@@ -7,9 +7,9 @@
 namespace rt {
 namespace {
 
-constexpr int calm_passes = 2; // one alone favours blocks that were lucky
+constexpr int calm_passes = 2; // a single one favours blocks that were lucky
 
-// Newton's method: products and quotients alone, which are the same on every machine. For x between 0 and 1.
+// Newton's method: products and quotients only, which are the same on every machine. For x between 0 and 1.
 double cube_root(double x) {
   double root = 1;
   for (int i = 0; i < 60; ++i) root = (2 * root + x / (root * root)) / 3;

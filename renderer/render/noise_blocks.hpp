@@ -8,30 +8,30 @@
 
 namespace rt {
 
-/// The noise of a picture as it is made, block by block of 16 × 16 pixels (aligned to the whole picture), and which of
+/// The noise of a picture during rendering, in blocks of 16 × 16 pixels (aligned to the whole picture), and which of
 /// them need more samples.
 ///
-/// A block's noise is what sampling has moved it by in the finished picture, root mean square, in parts of full scale:
-/// the mean over its pixels and channels of (w·(A − B)/2)², A and B being the halves of the samples and w the slope of
-/// sRGB's encoding at the mean light of the 3 × 3 pixels around; for light beyond 1, which is clipped, that of the
-/// logarithm, as steep at 1.
+/// A block's noise is the root mean square sampling error of the finished picture, as a fraction of full scale: the
+/// mean over its pixels and channels of (w·(A − B)/2)², A and B being the halves of the samples and w the slope of
+/// sRGB's encoding at the mean light of the 3 × 3 pixels around; above 1, where light is clipped, that of the logarithm
+/// scaled to be as steep at 1.
 class NoiseBlocks {
 public:
-  /// `rect` is the part of the picture that is made. A block rests once it and its neighbours have been below `aim`
-  /// after two passes in a row; with an aim of 0 none does.
+  /// `rect` is the part of the picture being rendered. A block is finished once it and its neighbours have been below
+  /// `aim` after two consecutive passes; with an aim of 0 none ever is.
   NoiseBlocks(const PixelRect& rect, double aim);
 
-  /// After a pass over all blocks that do not rest: `sums` are the pixels'.
+  /// To be called after a pass over all unfinished blocks: `sums` are the pixels'.
   void update(std::span<const PixelSums> sums);
 
-  /// What a picture has to remember of a pixel's block if it is to be continued as if it had never been left; and the
-  /// way back, from all pixels of the part.
+  /// What a picture must store about a pixel's block so that rendering can resume as if it had never stopped; and the
+  /// reverse, from all pixels of the part.
   std::uint32_t state(int x, int y) const;
   void restore(std::span<const std::uint32_t> states, std::span<const PixelSums> sums);
 
   bool rests(int x, int y) const { return rests_[index(x / side, y / side)]; }
   bool all_rest() const;
-  /// Of the noisiest block; infinite before there are two samples for each pixel.
+  /// That of the noisiest block; infinite before there are two samples per pixel.
   double worst() const;
 
 private:

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Gigabytes take seconds to be cleared: a part at a time, so that they can be waited for, and given up.
+// Clearing gigabytes takes seconds: a part at a time, so that it can be interrupted.
 template <class Pixel>
 bool resize_in_parts(std::vector<Pixel>& pixels, std::size_t size, const Pixel& value, const RenderOptions& options,
                      Clock::time_point start) {

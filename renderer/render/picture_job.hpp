@@ -37,14 +37,14 @@ public:
   bool is_stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
   std::unique_ptr<Integrator::Worker> make_tracer() const { return integrator_->make_worker(options_.stop); }
 
-  /// What comes in along the camera's rays.
+  /// The radiance along the camera's rays.
   void trace(Integrator::Worker& tracer, std::span<const Ray> rays, std::span<const SampleStream> streams,
              std::span<Color> values) const;
   /// Fills the film's layers at a pixel, if they are wanted.
   void trace_layers(int x, int y, TraceScratch& scratch) const;
   /// The id of the object that a pixel's centre shows, from 1; 0 for none.
   std::uint32_t object_at(int x, int y) const;
-  /// The tile has values that may be shown.
+  /// The tile has values that may be displayed.
   void show(const PixelRect& tile);
 
 private:
@@ -60,12 +60,12 @@ private:
 
 Rgb32 to_single(const Color& c);
 
-/// Black, with layers if they are wanted; without pixels where it was stopped. `picture` is the size of the whole.
+/// Black, with layers if requested; without pixels if it was stopped. `picture` is the size of the whole.
 Film make_film(const PixelRect& rect, const scene::Resolution& picture, const RenderOptions& options);
 
 class TileLoop;
 
-/// Make the picture of a job in the one mode or the other; false where it was stopped.
+/// Render the picture of a job in either mode; false if stopped.
 bool render_whitted(PictureJob& job, const View& view, TileLoop& loop);
 bool render_random(PictureJob& job, const View& view, const RenderOptions& options, TileLoop& loop,
                    RenderStatistics& statistics);

@@ -22,7 +22,7 @@ double blackman_harris(double share) {
   return sum;
 }
 
-// With a standard deviation of half a pixel, less its value at the edge, so that it ends at 0.
+// A Gaussian with a standard deviation of half a pixel, less its value at the edge, so that it ends at 0.
 double gaussian(double x) {
   constexpr double deviation = 0.5;
   const auto bell = [](double y) { return exponential_decay(y * y / (2 * deviation * deviation)); };

@@ -8,17 +8,17 @@
 
 namespace rt {
 
-/// A pixel filter as a density from which samples' places are drawn: every sample then counts the same, and belongs to
-/// one pixel alone (M. Ernst, M. Stamminger, G. Greiner, Filter Importance Sampling, 2006).
+/// A pixel filter as a density from which sample positions are drawn: every sample then has equal weight and belongs to
+/// one pixel (M. Ernst, M. Stamminger, G. Greiner, Filter Importance Sampling, 2006).
 class FilterSampler {
 public:
   explicit FilterSampler(scene::PixelFilter filter);
 
-  /// The distance from the pixel's middle along one axis, in pixels, for `u` that is spread evenly over 0 to 1.
+  /// The distance from the pixel's centre along one axis, in pixels, for a `u` uniform in 0 to 1.
   double offset(double u) const;
 
 private:
-  // The density is taken as linear between places at equal distances.
+  // The density is piecewise linear between equidistant points.
   double radius_;
   std::vector<double> density_, cumulative_;
 };

@@ -35,7 +35,7 @@ IntegratorKind kind_of(scene::Mode mode) {
 }
 
 void require_valid(const View& view) {
-  scene::Scene seen; // nothing but the view
+  scene::Scene seen; // only the view
   seen.camera = view.camera;
   seen.size = view.size;
   seen.mode = view.mode;

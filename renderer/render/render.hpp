@@ -11,17 +11,17 @@
 
 namespace rt {
 
-/// What is known while a picture is being made.
+/// What is known while a picture is being rendered.
 struct Progress {
   double fraction = 0;              ///< of all tiles, 0 to 1
   std::uint64_t rays = 0;           ///< traced so far, of every kind
   double seconds = 0;               ///< since tracing began
-  int samples = 0;                  ///< with random samples: that each pixel has
-  std::optional<double> noise = {}; ///< and the noisiest block's noise, once it is known
+  int samples = 0;                  ///< per pixel, with random samples
+  std::optional<double> noise = {}; ///< of the noisiest block, once it is known
 };
 
-/// Every so many samples of a picture with random samples, in pairs of one for each half: those of which ⌊sample/2⌋ mod
-/// `count` is `index` − 1. Parts of one count add up to the whole.
+/// A fraction of the samples of a picture with random samples, in pairs of one for each half: those for which
+/// ⌊sample/2⌋ mod `count` is `index` − 1. All parts of one count add up to the whole.
 struct SamplePart {
   int index = 1, count = 1;
   bool is_whole() const { return count == 1; }
@@ -29,18 +29,18 @@ struct SamplePart {
 };
 
 struct RenderOptions {
-  int threads = 0;                  ///< 0: one for each core
-  std::optional<PixelRect> crop;    ///< the film holds this part of the picture only; inside the scene's size
+  int threads = 0;                  ///< 0: one per core
+  std::optional<PixelRect> crop;    ///< the film holds only this part of the picture; within the scene's resolution
   bool layers = false;              ///< fill the film's layers
-  std::optional<double> time_limit; ///< seconds: with random samples no pass is begun that would take longer
+  std::optional<double> time_limit; ///< seconds: with random samples no pass is started that would exceed it
   SamplePart part = {};             ///< with random samples
   bool sums = false;                ///< with random samples: the film keeps its sums
-  const Film* earlier = nullptr;    ///< with random samples: with sums of the same part, which go on to be added to
-  IntegratorKind integrator = IntegratorKind::whitted; ///< in Whitted's mode
+  const Film* earlier = nullptr;    ///< with random samples: sums of the same part, to which samples are added
+  IntegratorKind integrator = IntegratorKind::whitted; ///< in Whitted mode
   const std::atomic<bool>* stop = nullptr; ///< set from outside (a signal handler): rendering ends within a tile
-  std::function<void(const Progress&)> on_progress; ///< called from one thread at a time, some times a second
-  /// Called for each tile that is finished, from one thread at a time: these pixels of the film have their values, and
-  /// others may be written meanwhile. The rectangle is the film's, also where that is a crop.
+  std::function<void(const Progress&)> on_progress; ///< called by one thread at a time, a few times a second
+  /// Called for each finished tile, by one thread at a time: these pixels of the film have their values; others may be
+  /// written meanwhile. The rectangle is in the film's coordinates, even if that is a crop.
   std::function<void(const Film&, const PixelRect&)> on_tile;
 };
 
@@ -50,10 +50,10 @@ struct RenderStatistics {
   double build_seconds = 0; ///< compiling the description and building the acceleration structure
   double trace_seconds = 0;
   int threads = 0;
-  double samples = 0;          ///< for each pixel, in the mean
+  double samples = 0;          ///< per pixel, on average
   std::optional<double> noise; ///< with random samples, of the noisiest block: see `NoiseBlocks`
-  /// Samples with random samples that were no finite numbers and count as black; and the first pixel that has one, in
-  /// the whole picture, row by row, with the id of the object in its middle (0: none).
+  /// With random samples: those that were not finite and count as black; and the first pixel that has one, in the whole
+  /// picture, row by row, with the id of the object at its centre (0: none).
   struct Dropped {
     std::uint64_t samples;
     int x, y;
@@ -65,35 +65,34 @@ struct RenderStatistics {
 struct Rendered {
   Film film;
   RenderStatistics statistics;
-  bool is_complete =
-      true; ///< false when stopped: the tiles not traced are black, and before the first there is no film
+  bool is_complete = true; ///< false if stopped: the tiles not traced are black, and before the first there is no film
 };
 
-/// The whole way from description to picture. The same bytes for any number of threads.
+/// The whole pipeline from description to picture. The same bytes for any number of threads.
 Rendered render(const scene::Scene& scene, const RenderOptions& options);
 
 class CompiledScene;
 
-/// How a scene that is compiled already is to be looked at.
+/// How a compiled scene is to be viewed.
 struct View {
   scene::Camera camera;
   scene::Resolution size{};
-  int samples = 1; ///< a square number in Whitted's mode
+  int samples = 1; ///< a square number in Whitted mode
   ToneMapping tone_mapping = {};
   scene::Mode mode = scene::Mode::whitted;
-  int seed = 0; ///< this and what follows with random samples only
+  int seed = 0; ///< this and the following with random samples only
   scene::PixelFilter filter = scene::PixelFilter::blackman_harris;
   double noise = 0; ///< at which a part of the picture needs no more samples
 };
-/// As the scene says; and in Whitted's mode whatever it says, for comparing.
+/// As the scene says; and in Whitted mode regardless, for comparisons.
 View view_of(const scene::Scene& scene);
 View whitted_view_of(const scene::Scene& scene);
-/// Colour, error and samples of a film's pixels by its sums.
+/// Sets colour, error and samples of a film's pixels from its sums.
 void show_sums(Film& film, bool has_error);
-/// What the sums of random samples take beside the film.
+/// The memory that the sums take besides the film.
 std::uint64_t sums_bytes(const PixelRect& rect);
 
-/// The same for a scene that is compiled already; its primitives and the time to build are not counted.
+/// The same for a compiled scene; its primitives and build time are not reported.
 Rendered render(const CompiledScene& scene, const View& view, const RenderOptions& options);
 
 } // namespace rt

@@ -18,13 +18,13 @@ bool is_finite(const Color& c) {
   return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
 }
 
-// Samples of each pixel, from the first one to before the last, counted in the part that is made.
+// A range of samples of each pixel, half-open, counted within the part being rendered.
 struct Pass {
   std::uint32_t begin, end;
   bool is_first = false; // of this run
 };
 
-// Samples that were lost. Which is the first does not depend on the order in which they are met.
+// Samples that were dropped. Which is the first does not depend on the order in which they occur.
 class DroppedSamples {
 public:
   void add(const PixelPosition& pixel) {
@@ -40,7 +40,7 @@ private:
   PixelPosition first_{};
 };
 
-// What the workers on a picture share besides.
+// What the workers on a picture share in addition.
 struct SampledPicture {
   FilterSampler filter;
   std::uint64_t seed;
@@ -49,14 +49,14 @@ struct SampledPicture {
   NoiseBlocks noise;
   DroppedSamples dropped{};
 
-  // The sample of the whole picture that is the part's n-th.
+  // The part's n-th sample, as a sample of the whole picture.
   std::uint32_t sample(std::uint32_t n) const {
     const auto count = static_cast<std::uint32_t>(part.count), index = static_cast<std::uint32_t>(part.index - 1);
     return 2 * (n / 2 * count + index) + n % 2;
   }
 };
 
-// How many of the first `all` samples of a picture are the part's.
+// How many of the first `all` samples of a picture belong to the part.
 std::uint32_t samples_in(const SamplePart& part, std::uint32_t all) {
   const auto count = static_cast<std::uint32_t>(part.count), index = static_cast<std::uint32_t>(part.index - 1);
   const std::uint32_t pairs = all / 2, rest = all % 2 == 1 && pairs % count == index ? 1 : 0;
@@ -69,7 +69,7 @@ public:
       : BlockWorker(job), picture_(picture), pass_(pass) {}
 
 private:
-  // Where it is stopped, what was traced by then counts.
+  // If it is stopped, what was traced by then counts.
   bool trace(const PixelRect& block) override {
     StaticVector<PixelPosition, camera_batch_size> pixels; // that need samples
     for_each_pixel(block, [&](int x, int y, std::size_t) {
@@ -87,7 +87,7 @@ private:
     return is_whole;
   }
 
-  // The part's n-th sample of those pixels that do not have it.
+  // The part's n-th sample of those pixels that do not have it yet.
   bool add(std::span<const PixelPosition> all, std::uint32_t n) {
     StaticVector<PixelPosition, camera_batch_size> pixels;
     for (const PixelPosition& pixel : all)
@@ -135,7 +135,7 @@ public:
     return Pass{done, std::min(all_, done + count)};
   }
 
-  /// How many samples there will be, by what is known: noise falls with the root of their number.
+  /// The predicted number of samples: noise falls with the root of their number.
   double expected(const Pass& pass, double seconds, double noise) const {
     double samples = all_;
     if (aim_ > 0 && std::isfinite(noise)) samples = std::min(samples, pass.begin * std::pow(noise / aim_, 2));
@@ -169,7 +169,7 @@ void finish(PictureJob& job, SampledPicture& picture, const RenderOptions& optio
     film.sums = {};
 }
 
-// The least number of samples that a pixel has which wants more.
+// The least number of samples of any pixel that needs more.
 std::uint32_t least_samples(const PictureJob& job, const SampledPicture& picture) {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
   for_each_pixel(job.rect(), [&](int x, int y, std::size_t i) {

@@ -11,7 +11,7 @@ public:
   WhittedBlocks(PictureJob& job, const Sampler& sampler) : BlockWorker(job), sampler_(sampler) {}
 
 private:
-  // Where it is stopped, nothing of the block is in the film.
+  // If it is stopped, nothing of the block is in the film.
   bool trace(const PixelRect& block) override {
     std::array<Color, camera_batch_size> sums{}, values;
     for (int sample = 0; sample < sampler_.samples(); ++sample) {

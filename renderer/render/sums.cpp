@@ -15,7 +15,7 @@ constexpr auto upper_limit = std::int64_t{1} << 62;
 void FixedSum::add(double number) {
   const double clipped = std::clamp(number, -limit, limit);
   const double whole = std::floor(clipped);
-  const double rest = (clipped - whole) * 0x1p64; // a whole number where it is above 2⁵²
+  const double rest = (clipped - whole) * 0x1p64; // an integer if it is above 2⁵²
   const auto fraction = static_cast<std::uint64_t>(rest < 0x1p52 ? rest + 0.5 : rest);
   add(from(static_cast<std::int64_t>(whole), fraction));
 }
@@ -23,7 +23,7 @@ void FixedSum::add(double number) {
 void FixedSum::add(const FixedSum& other) {
   lower_ += other.lower_;
   const std::int64_t carry = lower_ < other.lower_ ? 1 : 0;
-  // Both are within ±2⁶², so that nothing overflows before it is clipped.
+  // Both are within ±2⁶², so that nothing overflows before saturation.
   upper_ += other.upper_ + carry;
   if (upper_ >= upper_limit) *this = from(upper_limit, 0);
   if (upper_ < -upper_limit) *this = from(-upper_limit, 0);

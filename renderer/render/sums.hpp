@@ -7,8 +7,8 @@
 
 namespace rt {
 
-/// A sum of numbers that does not depend on their order: each is rounded to a multiple of 2⁻⁶⁴, and integers of 128
-/// bits are added. It ends at ±2⁶².
+/// A sum of numbers that does not depend on their order: each is rounded to a multiple of 2⁻⁶⁴ and added as a 128-bit
+/// integer. It saturates at ±2⁶².
 class FixedSum {
 public:
   void add(double number);
@@ -32,25 +32,25 @@ private:
   std::uint64_t lower_ = 0;
 };
 
-/// What a pixel has gathered. Its samples are dealt out to two halves in turn, which are independent, so that their
-/// difference tells the error of their mean.
+/// The samples accumulated in a pixel. They are assigned alternately to two independent halves, so that their
+/// difference estimates the error of the mean.
 class PixelSums {
 public:
   void add(std::uint32_t sample, const Color& radiance);
   void add(const PixelSums& other);
 
   std::uint32_t samples() const { return counts_[0] + counts_[1]; }
-  /// Of a half, 0 or 1: its samples, and the sum of a channel of theirs.
+  /// Of a half, 0 or 1: its number of samples, and their sum in a channel.
   std::uint32_t& samples(std::size_t half) { return counts_[half]; }
   std::uint32_t samples(std::size_t half) const { return counts_[half]; }
   FixedSum& sum(std::size_t half, std::size_t channel) { return sums_[half][channel]; }
   const FixedSum& sum(std::size_t half, std::size_t channel) const { return sums_[half][channel]; }
   /// Black without samples.
   Color mean() const;
-  /// Of one half, which must have samples.
+  /// Of one half, which must not be empty.
   Color mean(std::size_t half) const;
-  /// The standard error of the mean in each channel, estimated from the halves: half of their difference. Infinite
-  /// where one of them has no samples.
+  /// The standard error of the mean per channel, estimated from the halves: half their difference. Infinite if one of
+  /// them is empty.
   Color error() const;
   friend bool operator==(const PixelSums&, const PixelSums&) = default;
 

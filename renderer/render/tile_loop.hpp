@@ -14,16 +14,16 @@
 
 namespace rt {
 
-/// What one thread does with the tiles that it is given.
+/// What one thread does with the tiles assigned to it.
 class TileWorker {
 public:
   virtual ~TileWorker() = default;
-  /// False where it was stopped before the tile was done.
+  /// False if it was stopped before the tile was finished.
   virtual bool work(const PixelRect& tile) = 0;
   virtual const RayCounts& counts() const = 0;
 };
 
-/// Deals out the tiles of a picture to threads, once or several times, and reports progress.
+/// Distributes the tiles of a picture to threads, once or several times, and reports progress.
 class TileLoop {
 public:
   using MakeWorker = std::function<std::unique_ptr<TileWorker>()>;
@@ -31,11 +31,11 @@ public:
   /// `rect` is the part of the picture to work on. The options must outlive the loop.
   TileLoop(const PixelRect& rect, int threads, const RenderOptions& options);
 
-  /// All tiles once, each by one worker. This time is the share from `begin` to `end` of all there is to do. False
-  /// where it was stopped. Throws what a worker throws.
+  /// All tiles once, each by one worker. This run is the fraction from `begin` to `end` of the whole. False if it was
+  /// stopped. Rethrows what a worker throws.
   bool run(const MakeWorker& make_worker, double begin, double end);
 
-  /// What reports of progress say besides.
+  /// Further values for progress reports.
   void tell(int samples, std::optional<double> noise);
 
   const RayCounts& counts() const { return counts_; }

@@ -4,9 +4,9 @@ namespace rt {
 namespace {
 
 constexpr int dimensions = 4;
-using Directions = std::array<std::array<std::uint32_t, 32>, dimensions>; // by the bits of the index, the lowest first
+using Directions = std::array<std::array<std::uint32_t, 32>, dimensions>; // by the bits of the index, lowest first
 
-// A primitive polynomial of degree s with coefficients a, and the first direction numbers m.
+// A primitive polynomial of degree s with coefficients a, and the initial direction numbers m.
 struct Generator {
   unsigned s, a;
   std::array<std::uint32_t, 3> m;
@@ -31,7 +31,7 @@ constexpr Directions make_directions() {
   return v;
 }
 
-// What each value of each byte of the reversed index adds to the four coordinates.
+// The contribution of each value of each byte of the reversed index to the four coordinates.
 using Tables = std::array<std::array<std::array<std::uint32_t, dimensions>, 256>, 4>;
 
 constexpr Tables make_tables() {

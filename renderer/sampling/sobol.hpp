@@ -8,12 +8,12 @@
 namespace rt {
 
 /// The first four dimensions of Sobol's sequence (direction numbers of S. Joe and F. Kuo, Constructing Sobol Sequences
-/// with Better Two-Dimensional Projections, 2008), as fractions of 2³². Index and coordinates have their bits in
-/// reversed order, as `scramble_reversed` wants them.
+/// with Better Two-Dimensional Projections, 2008), as fractions of 2³². Index and coordinates have their bits reversed,
+/// as `scramble_reversed` expects.
 std::array<std::uint32_t, 4> reversed_sobol(std::uint32_t reversed_index);
 
 /// Owen's nested uniform scrambling of a number with reversed bits (N. Vegdahl, Building a Better LK Hash, 2021, after
-/// S. Laine and T. Karras): each bit is flipped or not by what the bits before it are, and `seed`.
+/// S. Laine and T. Karras): whether a bit is flipped depends on the bits before it and on `seed`.
 constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -31,15 +31,15 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// The first groups of a sample's numbers: the place within the pixel, and on the lens; then those that integrators
-/// take.
+/// The first groups of a sample's numbers: the position within the pixel, and on the lens; then those for the
+/// integrators.
 inline constexpr std::uint32_t camera_group = 0, lens_group = 1, first_free_group = 2;
 
-/// All the numbers of one sample of a pixel, four at a time: a group is a point of Sobol's sequence. Each group has its
-/// own scrambling of the samples' order, so that groups have nothing to do with each other, and of the coordinates (B.
-/// Burley, Practical Hash-based Owen Scrambling, 2020). Nothing but seed, pixel and the sample's number decides them.
+/// All the numbers of one sample of a pixel, four at a time: a group is a point of Sobol's sequence. Each group has a
+/// scrambling of its own for the samples' order, so that groups are independent, and for the coordinates (B. Burley,
+/// Practical Hash-based Owen Scrambling, 2020). They depend only on seed, pixel and the sample's number.
 ///
-/// The samples of a pixel are dealt out to two halves in turn, which are independent of each other.
+/// The samples of a pixel are assigned alternately to two halves, which are independent of each other.
 class SampleStream {
 public:
   constexpr SampleStream() = default;

@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// The roughnesses that a table holds: one, or where a pattern gives the roughness r (α = r²) 32, evenly from 0 to 1.
+/// The roughnesses that a table holds: one, or if a pattern gives the roughness r (α = r²) 32, evenly from 0 to 1.
 class RoughnessAxis {
 public:
   static constexpr int steps = 32;
@@ -43,7 +43,7 @@ private:
 };
 
 /// A function of roughness and of a direction's cosine μ, linear between values at μ = t⁴ for evenly spaced t: such
-/// albedos bend most towards grazing directions. T is a number or a colour.
+/// albedos curve most towards grazing angles. T is a number or a colour.
 template <class T>
 class AlbedoTable {
 public:
@@ -51,7 +51,7 @@ public:
   using Place = RoughnessAxis::Place;
 
   AlbedoTable() = default;
-  /// `f(alpha, cosine)` is asked for each of them.
+  /// `f(alpha, cosine)` is evaluated for each of them.
   template <class F>
   AlbedoTable(const RoughnessAxis& axis, F&& f) {
     for (const double alpha : axis.alphas()) {
@@ -75,7 +75,7 @@ public:
     return in_row(place.row) * (1 - place.fraction) + in_row(place.row + 1) * place.fraction;
   }
 
-  /// The mean over the hemisphere, weighted with the cosine: 2∫ f μ dμ, exactly that of what `at` gives.
+  /// The cosine-weighted mean over the hemisphere: 2∫ f μ dμ, exact for what `at` returns.
   T mean(Place place) const {
     if (place.fraction == 0) return means_[place.row];
     return means_[place.row] * (1 - place.fraction) + means_[place.row + 1] * place.fraction;

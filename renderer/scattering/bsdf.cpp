@@ -16,28 +16,28 @@ Color at_least(double least, const Color& c) {
 Color at_most(double most, const Color& c) {
   return {std::min(most, c.r), std::min(most, c.g), std::min(most, c.b)};
 }
-/// 0 where there is nothing to be divided.
+/// 0 where the divisor is 0.
 Color quotient(const Color& a, const Color& b) {
   const auto divided = [](double x, double y) { return y > 1e-12 ? x / y : 0; };
   return {divided(a.r, b.r), divided(a.g, b.g), divided(a.b, b.b)};
 }
 
 bool is_transparent(const MaterialValues& v) {
-  return v.refract > 0 && !v.metal; // a metal lets nothing through
+  return v.refract > 0 && !v.metal; // a metal transmits nothing
 }
 
-/// What the surface's colour adds to the tint of a metal at the normal.
+/// What the surface's colour adds to a metal's tint at normal incidence.
 Color metal_tint(const MaterialValues& v) {
   return (v.color - white) * v.metallic;
 }
 
-/// Matte ground, before what lies on it takes its part.
+/// The matte ground, before the layers above take their part.
 Color ground_albedo(const MaterialValues& v) {
   return v.color * (1 - v.refract) * v.diffuse;
 }
 
-/// The reflectance of the facets, for tables of this curve. A metal has its colour from n and k: what `color` says is
-/// of its ground, and what Whitted's model tints it by.
+/// The reflectance of the facets, for tables of this curve. A metal's colour comes from n and k: `color` is that of its
+/// ground, and what Whitted's model tints it by.
 Reflectance mirrored(const MaterialValues& v, const Color& share, double eta) {
   if (v.metal) return {{FresnelCurve::Kind::conductor, 1, v.metal->n, v.metal->k}, black, white, black};
   const Color weight = v.reflect * share;
@@ -45,7 +45,7 @@ Reflectance mirrored(const MaterialValues& v, const Color& share, double eta) {
   return {{}, black, weight, weight * metal_tint(v)};
 }
 
-/// Schlick's curve with the same peak at the normal as Whitted's highlight.
+/// Schlick's curve with the same peak at normal incidence as Whitted's highlight.
 Reflectance highlight(const MaterialValues& v) {
   const Color normal = at_most(1, (white + metal_tint(v)) * std::min(1.0, 8 * v.specular / (v.shininess + 2)));
   return {{.kind = FresnelCurve::Kind::schlick}, normal, white - normal, black};
@@ -53,8 +53,8 @@ Reflectance highlight(const MaterialValues& v) {
 
 } // namespace
 
-// The ground gets what is not mirrored. With Fresnel's equations that holds for what passes, too, so that the most
-// comes back where nothing or all is mirrored; without, m + p + (1 − m)·b must not be more than 1 after the division.
+// The ground gets what is not reflected. With Fresnel's equations the same holds for transmission, so that the maximum
+// is where nothing or everything is reflected; without, m + p + (1 − m)·b must not exceed 1 after the division.
 Color excess(const MaterialValues& v) {
   const Color below = ground_albedo(v), passed = is_transparent(v) ? v.color * v.refract : black;
   const Color mirrored = v.metal ? white : v.reflect * at_least(1, white + metal_tint(v));
@@ -108,7 +108,7 @@ void Bsdf::layer_gloss(const MaterialValues& values, const MaterialTables& table
   if (is_sheet) {
     const Color side = mirrors ? mirrored(values, share, interface->eta).at(wo_.z) : black;
     straight_ = sheet_terms(side, at_most(1, values.color)).transmitted * (share * values.refract);
-    // A rough mirror may take more than its share of a facet's light: from what would pass.
+    // A rough mirror may take more than its share of a facet's light, at the expense of transmission.
     if (mirrors && !mirror_->is_perfect())
       straight_ *= at_most(1, quotient(white - mirror_->albedo(wo_.z), white - mirror_->reflectance(wo_.z)));
   } else if (values.fresnel || is_glossy_) {
@@ -131,7 +131,7 @@ Color Bsdf::below_all(double cosine) const {
   return below;
 }
 
-// 2∫ below_all μ dμ; of a single layer that is in its tables.
+// 2∫ below_all μ dμ; for a single layer it is tabulated.
 Color Bsdf::mean_below_all() const {
   const int layers = (coat_ ? 1 : 0) + (mirror_ ? 1 : 0) + (glass_ ? 1 : 0);
   if (layers == 0) return white;
@@ -145,7 +145,7 @@ Color Bsdf::mean_below_all() const {
   return rule.integrate([&](double x) { return below_all(x * x) * (4 * x * x * x); });
 }
 
-/// What reaches a lobe, and leaves it again, in a direction of this cosine.
+/// The fraction of light that reaches a lobe, or leaves it again, in a direction of this cosine.
 Color Bsdf::attenuation(int lobe, double cosine) const {
   switch (lobe) {
   case mirror:

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-/// The share of unpolarised light that a metal of refractive index n + ik mirrors in vacuum. M. Born and E. Wolf,
+/// The fraction of unpolarised light that a metal of refractive index n + ik reflects in vacuum. M. Born and E. Wolf,
 /// Principles of Optics, 14.2.
 double conductor_reflectance(double cosine, double n, double k);
 
@@ -18,12 +18,12 @@ constexpr double schlick_weight(double cosine) {
 /// `metallic_falloff` in arithmetic that is the same on every machine.
 double exact_metallic_falloff(double cosine);
 
-/// A curve over the cosine between a ray and a smooth facet, from 0 to 1.
+/// A function of the cosine between a ray and a smooth facet, from 0 to 1.
 struct FresnelCurve {
   enum class Kind {
     one,        ///< 1
-    dielectric, ///< Fresnel's for `eta`, the ior of the other side by that of this one
-    sheet,      ///< of a clear sheet with all inner reflections, 2F/(1 + F)
+    dielectric, ///< Fresnel's for `eta`, the ior of the other side divided by that of this one
+    sheet,      ///< of a clear sheet with all internal reflections, 2F/(1 + F)
     schlick,    ///< (1 − cosine)⁵
     conductor,  ///< Fresnel's for `n` and `k`
   };
@@ -34,8 +34,8 @@ struct FresnelCurve {
   Color at(double cosine) const;
 };
 
-/// The reflectance of a facet: constant + weight·curve + tint·curve·(1 − metallic_falloff). That it is linear in its
-/// colours lets what is tabulated of the curve serve whatever colours a pattern gives.
+/// The reflectance of a facet: constant + weight·curve + tint·curve·(1 − metallic_falloff). Because it is linear in its
+/// colours, what is tabulated for a curve serves for any colours that a pattern gives.
 struct Reflectance {
   FresnelCurve curve{};
   Color constant = black, weight = black, tint = black;
@@ -47,8 +47,8 @@ struct Reflectance {
   }
 };
 
-/// What a sheet with parallel sides gives back and lets by, all reflections inside it summed, if one side mirrors
-/// `side` and one way through leaves `inner` of the light.
+/// What a sheet with parallel sides reflects and transmits, summed over all internal reflections, if one side reflects
+/// `side` and one pass through it transmits `inner`.
 struct SheetTerms {
   Color reflected, transmitted;
 };

@@ -9,8 +9,8 @@
 
 namespace rt {
 
-/// A surface of microfacets whose slopes have the GGX distribution (B. Walter et al., Microfacet Models for Refraction
-/// through Rough Surfaces, 2007), with Smith's masking. Directions are unit vectors about +z, on its side unless said.
+/// A microfacet surface with the GGX distribution (B. Walter et al., Microfacet Models for Refraction through Rough
+/// Surfaces, 2007) and Smith's masking. Directions are unit vectors about +z, on its side unless stated otherwise.
 class Ggx {
 public:
   /// Below this roughness α a surface counts as perfectly smooth.
@@ -22,33 +22,33 @@ public:
   double alpha() const { return alpha_; }
   bool is_smooth() const { return alpha_ < least_alpha; }
 
-  /// D: area of the facets with this normal, for each area of the surface and solid angle.
+  /// D: the area of the facets with this normal, per area of the surface and solid angle.
   double distribution(const Vec3& h) const {
     const double spread = h.z * h.z * (alpha2_ - 1) + 1;
     return alpha2_ / (std::numbers::pi * spread * spread);
   }
 
-  /// cosine·(1 + 2Λ): what Smith's functions are made of, finite down to the horizon.
+  /// cosine·(1 + 2Λ): the building block of Smith's functions, finite down to the horizon.
   double slant(double cosine) const { return std::sqrt(cosine * cosine * (1 - alpha2_) + alpha2_); }
 
-  /// G₂/(4·cos·cos) of a reflection, masking and shadowing correlated by height (E. Heitz, Understanding the
+  /// G₂/(4·cos·cos) for a reflection, with height-correlated masking and shadowing (E. Heitz, Understanding the
   /// Masking-Shadowing Function in Microfacet-Based BRDFs, JCGT 2014, section 6.2).
   double reflected_visibility(double cos_o, double cos_i) const {
     return 0.5 / (cos_o * slant(cos_i) + cos_i * slant(cos_o));
   }
-  /// G₂/(cos·cos) of a transmission: what is high is well seen from above and badly from below, so that the product of
-  /// both is nearer to the truth than the other form. `cos_i` is that to −z.
+  /// G₂/(cos·cos) for a transmission: what is high is visible from above and hidden from below, so the separable form
+  /// is nearer to the truth than the height-correlated one. `cos_i` is that to −z.
   double transmitted_visibility(double cos_o, double cos_i) const {
     return 4 / ((cos_o + slant(cos_o)) * (cos_i + slant(cos_i)));
   }
 
-  /// Density of `sample_visible` per solid angle of h: the facets as `wo` sees them.
+  /// The density of `sample_visible` per solid angle of h: the distribution of visible normals.
   double visible_density(const Vec3& wo, const Vec3& h) const {
     return 2 * std::max(0.0, dot(wo, h)) * distribution(h) / (wo.z + slant(wo.z));
   }
 
-  /// The normal of a facet that `wo` sees. J. Dupuy and A. Benyoub, Sampling Visible GGX Normals with Spherical Caps,
-  /// 2023.
+  /// The normal of a facet visible from `wo`. J. Dupuy and A. Benyoub, Sampling Visible GGX Normals with Spherical
+  /// Caps, 2023.
   Vec3 sample_visible(const Vec3& wo, double u, double v) const {
     const Vec3 o = normalize({alpha_ * wo.x, alpha_ * wo.y, wo.z});
     const double z = 1 - v * (1 + o.z), sine = std::sqrt(std::max(0.0, 1 - z * z));

@@ -44,7 +44,7 @@ GlassLobe::Several GlassLobe::several_bounces(double cosine) const {
   return several;
 }
 
-// From inside total reflection makes the mirror's weight 1 whatever was written: what is between is counted as such.
+// From inside, total reflection makes the mirror's weight 1 whatever was written: intermediate values count as such.
 Color GlassLobe::reflected_albedo(double cosine) const {
   if (is_perfect()) return at_facet(cosine).reflected;
   const Color several = several_bounces(cosine).reflected;
@@ -74,7 +74,7 @@ Color GlassLobe::albedo(double cosine) const {
   return reflected + passed_ * tables_.here->transmitted(place_, cosine) + several_bounces(cosine).passed;
 }
 
-// Its normal points to the side of +z.
+// Its normal points to the +z side.
 Vec3 GlassLobe::facet_between(const Vec3& wo, const Vec3& wi) const {
   const Vec3 h = normalize(wi.z > 0 ? wo + wi : wo + wi * eta_);
   return h.z < 0 ? -h : h;
@@ -97,7 +97,7 @@ Color GlassLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   const Vec3 h = facet_between(wo, wi);
   const double cos_facet = dot(wo, h);
   if (wi.z > 0) {
-    // Of both kinds of what is lost, each by its own profile.
+    // For both kinds of lost light, each with its own profile.
     const double lost = 1 - tables_.here->energy(place_, wi.z), all = 1 - tables_.here->mean_energy(place_);
     Color back = several.reflected * (lost / all);
     if (!fresnel_) {

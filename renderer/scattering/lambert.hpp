@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// A matte surface's directions, alike from everywhere: the albedo is all it has. Directions are on the viewer's side.
+/// A matte surface: its albedo, the same in all directions. Directions are on the viewer's side.
 struct LambertLobe {
   Color albedo = black;
 

@@ -12,7 +12,7 @@ namespace {
 
 using Key = std::vector<double>;
 
-/// Makes each table once.
+/// Builds each table once.
 class TableMaker {
 public:
   std::shared_ptr<const MirrorTables> mirror(const RoughnessAxis& axis, const FresnelCurve& curve) {
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  // What is smooth has the same tables whatever its α.
+  // Smooth surfaces have the same tables whatever their α.
   static Key key_of(const RoughnessAxis& axis) {
     if (axis.alphas().size() > 1) return {-1};
     return {Ggx(axis.alphas()[0]).is_smooth() ? 0 : axis.alphas()[0]};

@@ -14,27 +14,27 @@ double surface_alpha(const MaterialValues& values);
 double highlight_alpha(const MaterialValues& values);
 double coat_alpha(const MaterialValues& values);
 
-/// Below this difference of two media's ior light passes straight.
+/// If two media's ior differ by less, light passes straight through.
 inline constexpr double least_bend = 1e-4;
 
-/// The properties of a material that a pattern gives.
+/// The properties of a material that patterns give.
 struct Varying {
   bool roughness = false, shininess = false, specular = false, reflect = false, refract = false, coat = false;
 };
 
-/// What a material's lobes look up.
+/// The tables of a material's lobes.
 struct MaterialTables {
-  /// Between two media, of which one is the material's.
+  /// Between two media, one of which is the material's.
   struct Interface {
-    double eta; ///< the material's ior by the other's
+    double eta; ///< the material's ior divided by the other's
     std::shared_ptr<const MirrorTables> mirror;
     std::shared_ptr<const GlassTables> outside, inside;
   };
   std::vector<Interface> interfaces;
-  std::shared_ptr<const MirrorTables> mirror; ///< that needs no ior
+  std::shared_ptr<const MirrorTables> mirror; ///< without an ior
   std::shared_ptr<const MirrorTables> highlight, coat;
 
-  /// The interface for an ior behind the surface by the ior before it, or the nearest to it, and whether it is seen
+  /// The interface for, or nearest to, the ior behind the surface divided by the ior before it, and whether it is seen
   /// from outside.
   struct Side {
     const Interface* interface;
@@ -43,7 +43,7 @@ struct MaterialTables {
   Side find(double eta) const;
 };
 
-/// The tables of all materials of a scene. Materials of the same surface share them.
+/// The tables of all materials of a scene. Materials with equal surfaces share them.
 class ScatteringTables {
 public:
   explicit ScatteringTables(const Materials& materials);
@@ -55,7 +55,7 @@ private:
   std::vector<MaterialTables> tables_;
 };
 
-/// The tables of one material among media of these ior, of which there must be one.
+/// The tables of one material among media with these ior, of which there must be one.
 MaterialTables make_material_tables(const MaterialValues& values, std::span<const double> iors, Varying varying = {});
 
 } // namespace rt

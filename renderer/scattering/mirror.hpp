@@ -8,19 +8,19 @@
 
 namespace rt {
 
-/// A surface that mirrors, smooth or rough, with the light of all bounces between its facets. Directions are in the
+/// A surface that reflects, smooth or rough, including multiple scattering between its facets. Directions are in the
 /// frame of the surface, on the viewer's side.
 class MirrorLobe {
 public:
-  /// The tables must be those of the reflectance's curve and hold this α; they must outlive it. `absorbed` makes it
-  /// the outside of a thin sheet whose inside leaves so much of the light; the reflectance is then that of one side,
-  /// and the tables those of FresnelCurve::Kind::sheet.
+  /// The tables must be those of the reflectance's curve and include this α; they must outlive it. `absorbed` makes it
+  /// the outside of a thin sheet whose inside transmits this fraction of light; the reflectance is then that of one
+  /// side, and the tables those of FresnelCurve::Kind::sheet.
   MirrorLobe(double alpha, const Reflectance& reflectance, const MirrorTables& tables,
              std::optional<Color> absorbed = std::nullopt);
 
   bool is_perfect() const { return ggx_.is_smooth(); }
 
-  /// Share of the light from a direction of this cosine that it gives back (of a thin sheet: at least that); and its
+  /// The fraction of light from a direction of this cosine that it reflects (for a thin sheet: at least that); and its
   /// mean over the hemisphere.
   Color albedo(double cosine) const;
   Color mean_albedo() const;
@@ -31,11 +31,11 @@ public:
     return absorbed_ ? sheet_terms(side, *absorbed_).reflected : side;
   }
 
-  /// Black and 0 where it is perfect.
+  /// Black and 0 if it is perfect.
   Color evaluate(const Vec3& wo, const Vec3& wi) const;
   double density(const Vec3& wo, const Vec3& wi) const;
 
-  /// `choice` in [0, 1) decides between one bounce and several. The weight and density of a rough one are left to
+  /// `choice` in [0, 1) selects single or multiple scattering. The weight and density of a rough one are left to
   /// `evaluate` and `density`.
   std::optional<BsdfSample> sample(const Vec3& wo, double u, double v, double choice) const;
 
@@ -43,12 +43,12 @@ private:
   double several_bounces(double cosine) const; // probability
 
   Ggx ggx_;
-  Reflectance reflectance_; ///< of a facet's outside
-  Reflectance known_;       ///< what the tables know about it: the same, or that of a clear sheet
+  Reflectance reflectance_; ///< of a facet's outer side
+  Reflectance known_;       ///< the one that the tables are for: the same, or that of a clear sheet
   std::optional<Color> absorbed_;
   const MirrorTables* tables_;
   RoughnessAxis::Place place_;
-  Color returned_ = black; ///< share of the light lost by one bounce
+  Color returned_ = black; ///< fraction of the light lost by single scattering
 };
 
 } // namespace rt

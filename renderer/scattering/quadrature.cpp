@@ -5,7 +5,7 @@
 namespace rt {
 namespace {
 
-// Legendre's polynomial of degree n at x, and its derivative.
+// The Legendre polynomial of degree n at x, and its derivative.
 std::pair<double, double> legendre(int n, double x) {
   double before = 1, value = x;
   for (int k = 2; k <= n; ++k) before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);

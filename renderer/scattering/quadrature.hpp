@@ -28,17 +28,17 @@ private:
 /// Integrals over the facets of a GGX surface.
 class FacetQuadrature {
 public:
-  /// The points along a facet's tilt and around the normal. With the default the directional albedo is right to 10⁻⁴,
+  /// The number of points along a facet's tilt and around the normal. The default gives the directional albedo to 10⁻⁴,
   /// to 10⁻³ below a cosine of 0.02.
   explicit FacetQuadrature(int along = 12, int around = 32);
 
-  /// The share of light that the facets, seen from a direction of this cosine, mirror upwards; `reflectance` is that of
-  /// a facet, a function of the cosine to its normal that may bend at one.
+  /// The fraction of light that the facets, seen from a direction of this cosine, reflect upwards; `reflectance` is
+  /// that of a facet, a function of the cosine to its normal that may have a kink at one.
   template <class F>
   auto reflected(double alpha, double cosine, F&& reflectance, double bend = 0) const {
     const Ggx ggx(alpha);
     const double slant_o = ggx.slant(cosine);
-    // Up to this tangent a facet, leaning to the viewer by `lean`, mirrors him to above the horizon.
+    // Up to this tangent a facet, leaning to the viewer by `lean`, reflects the view direction above the horizon.
     const auto steepest = [&](double lean) {
       const double root = std::sqrt(lean * lean + cosine * cosine);
       return lean > 0 ? (lean + root) / cosine : cosine / (root - lean);
@@ -50,8 +50,8 @@ public:
     });
   }
 
-  /// The share that they let through; `eta` is the ior of the other side by that of this one, `transmittance` as above
-  /// and 0 on total internal reflection.
+  /// The fraction that they transmit; `eta` is the ior of the other side divided by that of this one, `transmittance`
+  /// as above and 0 on total internal reflection.
   template <class F>
   auto transmitted(double alpha, double cosine, double eta, F&& transmittance) const {
     const Ggx ggx(alpha);
@@ -87,7 +87,7 @@ private:
     return sum * (1 / static_cast<double>(around_.size()));
   }
 
-  // The tangents of the facets that the viewer sees at this cosine, the smaller first; some may be none.
+  // The tangents of the facets that the viewer sees at this cosine, the smaller first; not positive if there is none.
   static std::array<double, 2> tangents_at(double seen, double lean, double cosine) {
     const double a = lean * lean - seen * seen, b = lean * cosine, c = cosine * cosine - seen * seen;
     const double root = b * b - a * c;
@@ -96,7 +96,7 @@ private:
     return {std::min(x, y), std::max(x, y)};
   }
 
-  // Of one azimuth, between two tangents of the tilt. They are α·tan ψ, and the rational parameter of ψ is bunched
+  // For one azimuth, between two tangents of the tilt. They are α·tan ψ, and the rational parameter of ψ is clustered
   // towards both ends, where masking and Fresnel's curve bend.
   template <class F>
   auto between(double alpha, double lean, double cosine, double from, double to, F&& f) const {

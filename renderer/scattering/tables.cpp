@@ -13,11 +13,11 @@ const GaussLegendre& along_cosines() {
   return rule;
 }
 
-// 2∫ f μ dμ, f a function of the cosine that may bend at one.
+// 2∫ f μ dμ, f a function of the cosine that may have a kink at one.
 template <class F>
 auto hemispherical_mean(F&& f, double bend = 0) {
   const auto between = [&](double a, double b) {
-    // Bunched at the ends, where roots meet the bend.
+    // Clustered at the ends, where there are square roots at the kink.
     return along_cosines().integrate([&](double x) {
       const double mu = a + (b - a) * x * x * (3 - 2 * x);
       return f(mu) * (2 * mu * (b - a) * 6 * x * (1 - x));
@@ -26,7 +26,7 @@ auto hemispherical_mean(F&& f, double bend = 0) {
   return bend > 0 ? between(0, bend) + between(bend, 1) : between(0, 1);
 }
 
-// The cosine below which all is mirrored.
+// The cosine below which reflection is total.
 double critical_cosine(double eta) {
   return eta < 1 ? std::sqrt(1 - eta * eta) : 0;
 }
@@ -40,7 +40,7 @@ double clear_reflectance(double cosine, double eta, bool fresnel) {
   return cosine < critical_cosine(eta) ? 1 : 0;
 }
 
-// No rounding makes a surface give back more than it gets.
+// No rounding may make a surface reflect more than it receives.
 double at_most_one(double albedo) {
   return std::min(1.0, albedo);
 }
@@ -52,7 +52,7 @@ const FacetQuadrature& facets() {
   static const FacetQuadrature rule;
   return rule;
 }
-// Where total reflection begins turns with the azimuth.
+// The onset of total reflection varies with the azimuth.
 const FacetQuadrature& glass_facets(double eta) {
   static const FacetQuadrature from_inside(16, 64);
   return eta < 1 ? from_inside : facets();
@@ -60,7 +60,7 @@ const FacetQuadrature& glass_facets(double eta) {
 
 } // namespace
 
-// What passes is the same from both sides: n²(1 − F_avg).
+// The transmitted flux is the same from both sides: n²(1 − F_avg).
 double mean_fresnel_reflectance(double eta) {
   if (eta < 1) return 1 - eta * eta * (1 - mean_fresnel_reflectance(1 / eta));
   return hemispherical_mean([eta](double mu) { return fresnel_reflectance(mu, eta); });
@@ -71,7 +71,7 @@ MirrorTables::MirrorTables(const RoughnessAxis& axis, const FresnelCurve& curve)
       mean_curve_(hemispherical_mean([&](double mu) { return curve.at(mu); },
                                      curve.kind == FresnelCurve::Kind::dielectric ? critical_cosine(curve.eta) : 0)),
       mean_tinted_(hemispherical_mean([&](double mu) { return tinted(curve, mu); })) {
-  // A smooth surface, if it is not one place of a patterned one, is its facet.
+  // A smooth surface, unless it is a sample of a patterned one, is its facet.
   const auto of = [&](auto f) {
     return [f](double alpha, double mu) {
       if (Ggx(alpha).is_smooth()) return at_most_one(f(mu));

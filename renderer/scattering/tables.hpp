@@ -5,18 +5,18 @@
 
 namespace rt {
 
-/// What is tabulated of a surface that mirrors: the albedos of one reflection for a curve of Fresnel's.
+/// What is tabulated for a reflecting surface: the single-scattering albedos for a Fresnel curve.
 class MirrorTables {
 public:
   MirrorTables(const RoughnessAxis& axis, const FresnelCurve& curve);
 
   RoughnessAxis::Place find(double alpha) const { return axis_.find(alpha); }
 
-  /// E: every facet mirrors all. Of a smooth surface 1.
+  /// E: every facet reflects everything. 1 for a smooth surface.
   double energy(RoughnessAxis::Place place, double cosine) const { return energy_.at(place, cosine); }
   double mean_energy(RoughnessAxis::Place place) const { return energy_.mean(place); }
 
-  /// The albedo where the facets mirror `reflectance`, whose curve must be this one; and its mean over the hemisphere.
+  /// The albedo if the facets reflect `reflectance`, whose curve must be this one; and its mean over the hemisphere.
   Color albedo(const Reflectance& reflectance, RoughnessAxis::Place place, double cosine) const {
     return reflectance.constant * energy_.at(place, cosine) + reflectance.weight * curve_.at(place, cosine) +
            reflectance.tint * tinted_.at(place, cosine);
@@ -37,10 +37,10 @@ private:
   Color mean_curve_, mean_tinted_;
 };
 
-/// What is tabulated of clear glass, seen from the side from which the ior of the other side is `eta` times as large.
+/// What is tabulated for clear glass, seen from the side from which the other side's ior is `eta` times as large.
 class GlassTables {
 public:
-  /// Without `fresnel` a facet lets all through but on total internal reflection.
+  /// Without `fresnel` a facet transmits everything except on total internal reflection.
   GlassTables(const RoughnessAxis& axis, double eta, bool fresnel);
 
   RoughnessAxis::Place find(double alpha) const { return axis_.find(alpha); }
@@ -61,8 +61,8 @@ private:
   double mean_reflectance_;
 };
 
-/// The mean over the hemisphere, weighted with the cosine, of Fresnel's reflectance. `eta` is as fresnel_reflectance
-/// takes it.
+/// The cosine-weighted mean of Fresnel's reflectance over the hemisphere. `eta` is as fresnel_reflectance takes
+/// it.
 double mean_fresnel_reflectance(double eta);
 
 } // namespace rt

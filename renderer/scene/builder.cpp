@@ -53,7 +53,7 @@ std::uint64_t hash_of(const Material& material) {
   return h.value();
 }
 
-// The steps hold doubles and nothing else, so they are hashed and compared as such.
+// The steps consist of doubles only, so they are hashed and compared as such.
 template <class S>
 constexpr std::size_t doubles_in = sizeof(S) / sizeof(double);
 
@@ -81,7 +81,7 @@ std::string_view open_kind(const Shapes& shapes, ShapeRef ref) {
   return shapes.visit(ref, []<class S>(const S& shape) -> std::string_view {
     if constexpr (!is_composite<S>)
       if (!is_solid(geometry(shape))) return S::noun;
-    return {}; // a combination is one of solids
+    return {}; // a combination consists of solids
   });
 }
 
@@ -160,7 +160,7 @@ ShapeRef Builder::combination(Combination::Operation operation, std::vector<Obje
   return scene.shapes.add(Combination{operation, std::move(operands)});
 }
 
-// Groups nest as deep as somebody writes them, so that the innermost come first by a list and not by recursion.
+// Groups may be nested arbitrarily deep, so the innermost come first by a list and not by recursion.
 template <class Known, class Finish>
 void Builder::innermost_first(std::uint32_t group, const Known& known, Finish&& finish) {
   std::vector<std::uint32_t> pending{group};

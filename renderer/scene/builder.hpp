@@ -12,22 +12,22 @@
 
 namespace rt::scene {
 
-/// Builds a description, for front ends, importers and tests. Materials, names and transforms that are equal are kept
-/// once. Whether what it is given makes sense is `validate`'s to say.
+/// Builds a description, for front ends, importers and tests. Equal materials, names and transforms are stored once.
+/// Whether its input is valid is for `validate` to decide.
 class Builder {
 public:
-  Scene scene; ///< so far; size, camera and so on are set directly
+  Scene scene; ///< so far; resolution, camera and so on are set directly
 
   MaterialId material(const Material& material);
   /// A material that is a colour and nothing else.
   MaterialId material(const Color& color);
-  /// It may show patterns that were added before.
+  /// It may refer to patterns that were added before.
   PatternId pattern(Pattern pattern);
   /// A function as a pattern that stands where it is asked for; equal ones are kept once.
   PatternId function_pattern(FunctionRef function);
   NameId name(std::string_view text);
-  /// For an object's `transform`; `at` is ignored, as it is the object's own. Nothing where the placement flattens, or
-  /// stretches without end.
+  /// For an object's `transform`; `at` is ignored, as it belongs to the object. Nothing if the placement is singular or
+  /// not finite.
   std::optional<TransformId> transform(Placement placement);
 
   template <class S>
@@ -35,10 +35,10 @@ public:
     return scene.shapes.add(std::move(shape));
   }
   ShapeRef group(std::vector<Object> members);
-  /// A group among the operands stands for the union of its members.
+  /// A group among the operands is treated as the union of its members.
   ShapeRef combination(Combination::Operation operation, std::vector<Object> operands);
 
-  /// What keeps a shape from being a solid: the name of its kind, or of the first in a group that is open; empty for
+  /// Why a shape is not a solid: the name of its kind, or of the first open shape in a group; empty for
   /// solids.
   std::string_view open_part(ShapeRef shape);
 
@@ -48,7 +48,7 @@ public:
 private:
   MaterialId add(const Material& material);
   ShapeRef united(ShapeRef shape);
-  /// Calls `finish` with the group and those within it that `known` does not have yet, each after those it holds.
+  /// Calls `finish` with the group and the nested ones that `known` does not have yet, each after those it contains.
   template <class Known, class Finish>
   void innermost_first(std::uint32_t group, const Known& known, Finish&& finish);
 

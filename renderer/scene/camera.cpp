@@ -34,7 +34,7 @@ std::optional<Problem> check(const Camera& camera) {
     return Problem{"look_at", "the camera needs a direction: `look_at` is where it stands (`at`)"};
   const Vec3 f = camera.look_at - camera.at;
   if (length(cross(f, camera.up)) <= 1e-12 * length(f) * length(camera.up)) {
-    // Seen from straight above, what is far away for a camera at its default place is at the top.
+    // Seen from straight above, what is far away for a camera at its default position is at the top.
     const bool is_vertical = std::abs(f.y) > std::max(std::abs(f.x), std::abs(f.z));
     return Problem{"up", "`up` is parallel to the view, so it does not say what is up in the picture",
                    std::string("write another direction, for instance `up: ") +

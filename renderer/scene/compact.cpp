@@ -8,13 +8,13 @@
 namespace rt::scene {
 namespace {
 
-/// Which entries of a table are in use, and their places afterwards.
+/// Which entries of a table are in use, and their new indices.
 class TableUse {
 public:
   explicit TableUse(std::size_t size) : new_index_(size, unused) {}
   bool mark(std::size_t i) { return std::exchange(new_index_[i], used) == unused; }
 
-  /// Moves what is used to the front; true if anything goes.
+  /// Moves the used entries to the front; true if any are removed.
   template <class T>
   bool compact(std::vector<T>& table) {
     std::uint32_t count = 0;

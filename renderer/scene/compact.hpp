@@ -4,8 +4,8 @@
 
 namespace rt::scene {
 
-/// Takes out of the scene's tables what stands nowhere in it: shapes, materials, patterns and turns of things that were
-/// made and kept, but never placed. The order of the rest stays.
+/// Removes from the scene's tables what it does not use: shapes, materials, patterns and transforms of things that were
+/// created but never placed. The order of the rest is preserved.
 void compact(Scene& scene);
 
 } // namespace rt::scene

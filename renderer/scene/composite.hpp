@@ -4,13 +4,13 @@
 
 namespace rt::scene {
 
-/// Objects that are placed together; every surface of each stays.
+/// Objects that are placed together; all their surfaces remain.
 struct Group {
   static constexpr std::string_view noun = "group";
   std::vector<Object> members;
 };
 
-/// Solids combined into one. `unite` keeps the outer boundary only; `subtract` takes every further operand from the
+/// Solids combined into one. `unite` keeps only the outer boundary; `subtract` subtracts all further operands from the
 /// first.
 struct Combination {
   enum class Operation : std::uint8_t { unite, intersect, subtract };

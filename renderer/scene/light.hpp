@@ -14,8 +14,8 @@ namespace rt::scene {
 using LightKinds = TypeList<PointLight, SunLight, SpotLight, SkyLight>;
 using LightSource = LightKinds::Variant;
 
-/// A light, its own chain, and the placements of the composites it stands in, from the inside out. Its position and
-/// direction in the scene are its fields carried through `chain` and then each of `enclosing`.
+/// A light, its chain, and the placements of the composites that contain it, from the inside out. Its position and
+/// direction in the scene are its fields transformed by `chain` and then each of `enclosing`.
 struct Light {
   LightSource source;
   std::vector<Step> chain;
@@ -24,10 +24,10 @@ struct Light {
   Origin origin;
 };
 
-/// The light's map from where its fields hold to the scene.
+/// The map from the space of the light's fields to the scene.
 Affine to_world(const Light& light);
 
-/// Whether it shines on what it faces in any mode. A sky lights the scene in path mode alone.
+/// Whether it illuminates surfaces in every mode. A sky does so only in path mode.
 inline bool is_lamp(const Light& light) {
   return !std::holds_alternative<SkyLight>(light.source);
 }

@@ -63,7 +63,7 @@ Color normal_reflectance(const Metal& metal) {
   return {reflectance(metal.n.r, metal.k.r), reflectance(metal.n.g, metal.k.g), reflectance(metal.n.b, metal.k.b)};
 }
 
-// Within what a highlight takes: no roughness at all would make it a point, the greatest none at all.
+// Clamped to what a highlight allows: no roughness at all would make it a point, the greatest would remove it.
 double shininess_of(double roughness) {
   const double square = roughness * roughness;
   return std::clamp(2 / std::max(square * square, 1e-12) - 2, 0.01, 1e6);

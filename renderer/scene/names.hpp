@@ -7,13 +7,13 @@
 
 #include <string_view>
 
-/// What things are called, and what the language calls their kinds, where one is known at run time only.
+/// The names of things, and the language's names for their kinds when a kind is known only at run time.
 namespace rt::scene {
 
 /// The name of an object or a light; "" for `no_name`.
 std::string_view name(const Scene& scene, NameId id);
 
-/// Of a combination "combination"; `noun(Combination::Operation)` says which.
+/// "combination" for a combination; `noun(Combination::Operation)` says which.
 std::string_view noun(const Shapes& shapes, ShapeRef shape);
 /// "union", "intersection" or "difference".
 std::string_view noun(Combination::Operation operation);

@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// A shape in `Shapes`: its kind, and its place among the shapes of that kind. Two objects with equal references share
-/// the shape: for a group that makes them instances.
+/// A shape in `Shapes`: its kind, and its index among the shapes of that kind. Two objects with equal references share
+/// the shape: if it is a group, they are instances.
 struct ShapeRef {
   std::uint32_t kind = 0;
   std::uint32_t index = 0;
@@ -17,7 +17,7 @@ struct ShapeRef {
 enum class NameId : std::uint32_t {};
 inline constexpr NameId no_name{0xffffffff};
 
-/// Where a thing was written: an index into `Scene::files` and a line, from 1 (0: not written, assumed).
+/// Where something was written: an index into `Scene::files` and a line, from 1 (0: not written but assumed).
 struct Origin {
   std::uint32_t file = 0;
   std::uint32_t line = 0;

@@ -11,8 +11,8 @@ namespace rt::scene {
 using PatternKinds = TypeList<Checker, FunctionPattern>;
 using PatternLayout = PatternKinds::Variant;
 
-/// Paints laid out over space. They live in the space of the object that writes `material:`, before that object's own
-/// transform; `placement` moves them there.
+/// Colours or numbers as a function of position, in the space of the object that specifies `material:`, before that
+/// object's own transform; `placement` places the pattern there.
 struct Pattern {
   PatternLayout layout;
   Placement placement;

@@ -7,7 +7,7 @@
 namespace rt::scene {
 namespace {
 
-/// A value of type T for each group and combination that is asked about: few, where one object of many is.
+/// A value of type T for each group and combination that is visited: few, if one object of many is queried.
 template <class T>
 class PerComposite {
 public:
@@ -19,8 +19,8 @@ private:
   std::unordered_map<std::uint64_t, T> values_;
 };
 
-/// The composites below `roots`, each once, every one after those it is made of. No recursion: scenes may nest as deep
-/// as they like.
+/// The composites below `roots`, each once, each after those it consists of. Not recursive: scenes may be nested
+/// arbitrarily deep.
 std::vector<ShapeRef> innermost_first(const Scene& scene, std::span<const Object> roots) {
   struct Visit {
     std::span<const Object> objects;
@@ -45,7 +45,7 @@ std::vector<ShapeRef> innermost_first(const Scene& scene, std::span<const Object
   }
 }
 
-/// All there is of a thing, and what of it is finite: a sphere beside a plane in a group counts for the second.
+/// The extent of a thing, and of what is finite in it: a sphere beside a plane in a group counts for the latter.
 struct Extents {
   Box3 whole, finite;
 
@@ -89,7 +89,7 @@ Extents combination_extents(const Scene& scene, const Combination& combination, 
   if (operands.empty()) return {};
   if (combination.operation == Combination::Operation::subtract)
     return group_extents(scene, std::span(operands).first(1), known);
-  std::optional<Box3> common; // of what is visible
+  std::optional<Box3> common; // of the visible parts
   for (const Object& operand : operands) {
     if (!operand.is_visible) continue;
     const Box3 box = extents(scene, operand, known).whole;

@@ -20,13 +20,13 @@
 
 namespace rt::scene {
 
-/// All shapes, and a shape's position here is its `ShapeRef::kind`. A new shape is added here, and its header above.
+/// All shapes; a shape's index here is its `ShapeRef::kind`. A new shape is added here, and its header above.
 using ShapeKinds = TypeList<Sphere, Plane, Cylinder, Cone, Box, Disc, Triangle, Quad, Polygon, Group, Combination>;
 
 template <class S>
 inline constexpr std::uint32_t kind_of = ShapeKinds::index_of<S>();
 
-/// Whether shapes of this kind are made of other objects.
+/// Whether shapes of this kind consist of other objects.
 template <class S>
 inline constexpr bool is_composite = std::is_same_v<S, Group> || std::is_same_v<S, Combination>;
 
@@ -57,7 +57,7 @@ public:
     return all<S>()[ref.index];
   }
 
-  /// Calls f with the shape, of whatever type it is.
+  /// Calls f with the shape, whatever its type.
   template <class F>
   decltype(auto) visit(ShapeRef ref, F&& f) const {
     return visit_from<0>(ref, std::forward<F>(f));

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-/// Transforms as they were written. Nothing here is multiplied out: whoever reads a description (the compiler, the
-/// POV-Ray exporter) does that on its own.
+/// Transforms as written. They are not multiplied out here: whatever reads a description (the compiler, the POV-Ray
+/// exporter) does so for itself.
 namespace rt::scene {
 
-/// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin unless
-/// given.
+/// The steps of a chain, `.scale(…)`, `.rotate(…)` and so on. `about` is the fixed point, the world's origin by
+/// default.
 struct ScaleStep {
   static constexpr std::string_view noun = "scale";
   Vec3 factors{1, 1, 1};
@@ -55,8 +55,8 @@ struct MatrixStep {
 using StepKinds = TypeList<ScaleStep, RotateStep, RotateAxisStep, MoveStep, ShearStep, MirrorStep, MatrixStep>;
 using Step = StepKinds::Variant;
 
-/// Where a thing stands in its parent's space: scaled, then rotated (x, y, z in degrees), then moved to `at`, then each
-/// step of the chain, left to right.
+/// How a thing is placed in its parent's space: scaled, then rotated (x, y, z in degrees), then moved to `at`, then
+/// each step of the chain, left to right.
 struct Placement {
   Vec3 scale{1, 1, 1};
   Vec3 rotate{};
@@ -64,14 +64,14 @@ struct Placement {
   std::vector<Step> chain{};
 };
 
-/// The map of one step, and of a whole placement, from the thing's own space to its parent's.
+/// The map of one step, and of a whole placement, from object space to its parent's.
 Affine matrix(const Step& step);
 Affine matrix(const Placement& placement);
-/// Whether the placement flattens or stretches without end, so that no map leads back.
+/// Whether the placement is singular or not finite, so that it has no inverse.
 bool flattens(const Placement& placement);
 
-/// Index into `Scene::transforms`, `no_transform` where there is neither scale, rotation nor chain: almost every object
-/// of a large scene, which is why `Object` keeps only `at` itself.
+/// Index into `Scene::transforms`, `no_transform` if there is neither scale, rotation nor chain: true of almost every
+/// object of a large scene, which is why `Object` stores only `at` itself.
 enum class TransformId : std::uint32_t {};
 inline constexpr TransformId no_transform{0xffffffff};
 

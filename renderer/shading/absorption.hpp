@@ -8,9 +8,9 @@
 
 namespace rt {
 
-/// What a medium takes of light that goes through it (A. Beer, J. Lambert): e^(−σ·t) of it is left after a length t.
+/// A medium's absorption (A. Beer, J. Lambert): its transmittance over a length t is e^(−σ·t).
 struct Absorption {
-  Color sigma = black; ///< for each length of the scene
+  Color sigma = black; ///< per scene unit of length
 
   Absorption() = default;
   explicit Absorption(const Color& s) : sigma(s) {}
@@ -25,7 +25,7 @@ struct Absorption {
   }
 
 private:
-  // What leaves nothing is very dense.
+  // What transmits nothing is treated as very dense.
   static double depth(double left) { return left >= 1 ? 0 : -natural_logarithm(std::max(left, 1e-300)); }
 };
 

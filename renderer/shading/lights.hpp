@@ -19,7 +19,7 @@ struct EmittersOf<scene::TypeList<L...>> {
 
 } // namespace detail
 
-/// A light of the description carried to the scene's space, ready for shading.
+/// A light of the description transformed to scene space, ready for shading.
 struct Light {
   detail::EmittersOf<scene::LightKinds>::Type emitter;
   Color color{};       ///< colour times intensity
@@ -35,7 +35,7 @@ inline LightExtent extent(const Light& light) {
 /// Where it stands; nothing where it shines from infinitely far away.
 std::optional<Vec3> position(const Light& light);
 
-/// At `p`, which must not be where the light stands (then `distance` is 0 and the rest meaningless).
+/// At `p`, which must not be the light's position (then `distance` is 0 and the rest meaningless).
 inline LightSample sample_light(const Light& light, const Vec3& p) {
   LightSample sample = std::visit([&](const auto& emitter) { return sample_light(emitter, p); }, light.emitter);
   sample.color = light.color * (sample.fade * sample.spot);

@@ -24,7 +24,7 @@ void for_each_textured(F&& f) {
   f(&Material::coat, &MaterialValues::coat, zero_to_one);
 }
 
-// What a property shows, or null if it is not written.
+// The paint of a property, or null if it is not specified.
 template <class P>
 const P* shown(const P& paint) {
   return &paint;
@@ -104,8 +104,8 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   return values;
 }
 
-// Every pattern, also one that stands within another, lives in the space of the object that writes the material. A
-// pattern refers to patterns that were made before it, so the walk ends.
+// Every pattern, even one nested in another, is in the space of the object that specifies the material. A pattern only
+// refers to patterns created before it, so the recursion ends.
 Color Materials::evaluate(scene::PatternId id, const Vec3& p) const {
   scene::Paint shown = id;
   while (const scene::PatternId* next = std::get_if<scene::PatternId>(&shown)) {

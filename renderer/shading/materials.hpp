@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// What a material is at one point: its patterns evaluated.
+/// A material at one point: its patterns evaluated.
 struct MaterialValues {
   Color color = white;
   Color ambient = grey(1), diffuse = grey(0.8), emission = grey(0);
@@ -34,22 +34,22 @@ public:
   Materials() = default;
   explicit Materials(const scene::Scene& scene);
 
-  /// Adds the materials and patterns that the scene has got since: those it had must still be there, unchanged.
+  /// Adds the materials and patterns added to the scene since: the earlier ones must still be there, unchanged.
   void extend(const scene::Scene& scene);
 
-  /// The index of the default material, a white matte, and of the scene's own.
+  /// The index of the default material, a matte white, and of the scene's own.
   static constexpr std::uint32_t default_material() { return 0; }
   static std::uint32_t index(scene::MaterialId material) { return static_cast<std::uint32_t>(material) + 1; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(entries_.size()); }
 
-  /// What the material's inside takes of light; nothing where it has none.
+  /// The absorption of the material's interior; none for most.
   const Absorption& absorption(std::uint32_t material) const { return entries_[material].absorption; }
-  /// Whether any of them takes some.
+  /// Whether any of them absorbs.
   bool absorbs() const { return absorbs_; }
 
   bool has_patterns(std::uint32_t material) const { return entries_[material].texture_count > 0; }
 
-  /// Whether a pattern gives it that property.
+  /// Whether a pattern gives that property.
   template <class T>
   bool varies(std::uint32_t material, T MaterialValues::*property) const {
     const MaterialEntry& entry = entries_[material];
@@ -59,10 +59,10 @@ public:
     return false;
   }
 
-  /// The values of a material without patterns; those of one with them are only right in what cannot be a pattern.
+  /// The values of a material without patterns; for one with patterns only those are right that no pattern gives.
   const MaterialValues& constant(std::uint32_t material) const { return entries_[material].values; }
 
-  /// The values at `p`, given in the space that the material's patterns live in.
+  /// The values at `p`, in the space of the material's patterns.
   MaterialValues at(std::uint32_t material, const Vec3& p) const;
 
 private:
@@ -79,7 +79,7 @@ private:
     double least, most; // where it is a number
   };
   struct Pattern {
-    Affine to_pattern; // from the space it lives in
+    Affine to_pattern; // from the space it is placed in
     scene::PatternLayout layout;
   };
   void add(const scene::Material& material);

@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// What of a light's light a surface sends to the viewer, term by term.
+/// How much of a light's illumination a surface reflects to the viewer, term by term.
 struct ReflectedLight {
   double cos_highlight = 0; ///< n·h, or r·l for Phong's form
   Color tint = white;       ///< of a metal's highlight
@@ -16,19 +16,19 @@ struct ReflectedLight {
   Color sum() const { return diffuse + highlight; }
 };
 
-/// How a smooth surface mirrors and refracts a ray.
+/// How a smooth surface reflects and refracts a ray.
 struct SpecularTerms {
-  Color rho = black;           ///< weight of the mirrored ray
+  Color rho = black;           ///< weight of the reflected ray
   Color tau = black;           ///< weight of the refracted ray
-  double reflectance = 1;      ///< Fresnel's share in ρ; 1 where it is not asked for
+  double reflectance = 1;      ///< the Fresnel reflectance in ρ; 1 if not used
   double cos_behind = 1;       ///< between the refracted ray and the normal
-  bool is_transparent = false; ///< a refracted ray goes on, if only with weight 0
+  bool is_transparent = false; ///< there is a refracted ray, if only with weight 0
   bool is_bent = false;        ///< the refracted ray changes its direction
-  bool is_total = false;       ///< total internal reflection takes the place of both: all is mirrored
+  bool is_total = false;       ///< total internal reflection replaces both: everything is reflected
 };
 
 /// How a surface scatters light: Lambert's diffuse reflection, Blinn's or Phong's highlight, a mirror and refraction,
-/// weighted as in Whitted's model. Directions are unit vectors; `n` is the shading normal, turned to the viewer.
+/// weighted as in Whitted's model. Directions are unit vectors; `n` is the shading normal, facing the viewer.
 class WhittedBsdf {
 public:
   WhittedBsdf() = default;
@@ -36,14 +36,14 @@ public:
   explicit WhittedBsdf(const MaterialValues& values) : values_(&values), body_(values.color * (1 - values.refract)) {}
 
   const MaterialValues& values() const { return *values_; }
-  /// The share of the colour that is not transparent.
+  /// The fraction of the colour that is not transparent.
   const Color& body() const { return body_; }
 
   bool is_mirror() const { return values_->reflect != black || values_->coat > 0; }
   bool is_transparent() const { return values_->refract > 0; }
 
-  /// What is reflected against `ray`, the direction of the viewer's ray, of light that arrives from `to_light` with
-  /// n·l = `cos_light` > 0.
+  /// What is reflected against `ray`, the direction of the viewer's ray, for light arriving from `to_light` with n·l =
+  /// `cos_light` > 0.
   [[gnu::always_inline]] ReflectedLight evaluate(const Color& arriving, const Vec3& ray, const Vec3& n,
                                                  const Vec3& to_light, double cos_light, bool has_highlight) const {
     const MaterialValues& v = *values_;
@@ -60,9 +60,9 @@ public:
     return result;
   }
 
-  /// The mirror and, if it is transparent, refraction, for a ray that comes with this `cosine` to the normal. `eta` is
-  /// the ior before the surface by the ior behind it; `fresnel_eta` is as `fresnel_reflectance` takes it, and only
-  /// matters with `fresnel`.
+  /// Reflection and, if it is transparent, refraction, for a ray at this `cosine` to the normal. `eta` is the ior
+  /// before the surface divided by that behind it; `fresnel_eta` is as `fresnel_reflectance` takes it, and only matters
+  /// with `fresnel`.
   [[gnu::always_inline]] SpecularTerms specular(double cosine, double eta, double fresnel_eta) const {
     const MaterialValues& v = *values_;
     SpecularTerms terms;
@@ -84,7 +84,7 @@ public:
     if (is_transparent()) {
       terms.is_transparent = true;
       terms.tau = v.color * v.refract;
-      // What is mirrored does not pass.
+      // What is reflected is not transmitted.
       if (v.fresnel)
         terms.tau *= {std::min(1.0, 1 - terms.rho.r), std::min(1.0, 1 - terms.rho.g), std::min(1.0, 1 - terms.rho.b)};
     }

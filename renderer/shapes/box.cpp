@@ -76,7 +76,7 @@ double area(const BoxGeometry& box) {
   return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
 }
 
-// u is a stack of the six faces, each as high as its share of the area.
+// u is divided among the six faces in proportion to their areas.
 AreaPoint point_by_area(const BoxGeometry& box, double u, double v) {
   const Vec3 size = box.upper - box.lower;
   const Vec3 faces{size.y * size.z, size.z * size.x, size.x * size.y};

@@ -5,12 +5,12 @@
 
 namespace rt::scene {
 
-/// A solid with faces perpendicular to the axes: `size` about the origin of the shape's own space, or between the
-/// opposite corners `from` and `to`.
+/// A solid with axis-aligned faces: `size` about the origin of object space, or between the opposite corners `from` and
+/// `to`.
 struct Box {
   static constexpr std::string_view noun = "box";
   static constexpr std::string_view help = "a block with faces along the axes";
-  std::optional<Vec3> size; ///< 1 each way where no form is written
+  std::optional<Vec3> size; ///< 1 along each axis if neither form is specified
   std::optional<Vec3> from, to;
 };
 
@@ -43,7 +43,7 @@ double area(const BoxGeometry& box);
 AreaPoint point_by_area(const BoxGeometry& box, double u, double v);
 
 /// Where a line enters and leaves a box, by Kay and Kajiya's slabs (Ray Tracing Complex Scenes, 1986). Part 2·axis is
-/// the lower face of an axis, 2·axis + 1 the upper one. A line that runs along a face or an edge counts as within.
+/// the lower face of an axis, 2·axis + 1 the upper one. A line within a face or along an edge counts as inside.
 struct BoxSpan {
   Hit enter{-std::numeric_limits<double>::infinity(), 0};
   Hit leave{std::numeric_limits<double>::infinity(), 0};
@@ -55,7 +55,7 @@ struct BoxSpan {
   }
 
 private:
-  // A product 0·∞, of a line within a face's plane, is no number and fails every comparison: it clips nothing.
+  // A product 0·∞, for a line within a face's plane, is NaN and fails every comparison: it clips nothing.
   void clip(double lower, double upper, double direction, std::uint32_t part) {
     const double inverse = 1 / direction;
     const std::uint32_t backward = std::signbit(direction) ? 1 : 0;

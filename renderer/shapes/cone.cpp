@@ -80,15 +80,15 @@ AxisRange side_span(const ConeGeometry& cone, const AxialRay& ray) {
   // Steeper than the side: a chord within one nappe.
   if (a > 0)
     return {{std::min(roots.first, roots.second), side_part}, {std::max(roots.first, roots.second), side_part}};
-  // Parallel to a line of the side: inside from the one crossing on, or up to it.
+  // Parallel to a line of the side: inside from the single crossing on, or up to it.
   if (a == 0) return b > 0 ? until(roots.second) : from(roots.second);
   // Flatter: inside both nappes, beyond either crossing. The nappe that widens along the ray is entered, the other
   // left.
   return widening > 0 ? from(std::max(roots.first, roots.second)) : until(std::min(roots.first, roots.second));
 }
 
-// The side's point is the nearest one of the straight line that turns about the axis to make the side: in the half
-// plane of distance from the axis and height, from (radius, 0) to (top_radius, height).
+// The side's point is the nearest one of the line segment that generates the side: in the half plane of distance from
+// the axis and height, from (radius, 0) to (top_radius, height).
 SurfacePoint surface_point(const ConeGeometry& cone, const Ray& ray, const Hit& hit) {
   const Vec3 from_base = relative_point(ray, hit, cone.base);
   const double along = dot(from_base, cone.axis);
@@ -130,7 +130,7 @@ double area(const ConeGeometry& cone) {
 AreaPoint point_by_area(const ConeGeometry& cone, double u, double v) {
   double rest = u;
   if (const auto end = point_of_ends(cone, {cone.radius, cone.top_radius}, cone.is_open, rest, v)) return *end;
-  // The area up to a height grows as the squared radius there.
+  // The area up to a height is proportional to the squared radius there.
   const double a = cone.radius * cone.radius, b = cone.top_radius * cone.top_radius;
   const double radius = std::sqrt(a + rest * (b - a)), run = cone.top_radius - cone.radius;
   const double share = rest * (cone.radius + cone.top_radius) / (radius + cone.radius);

@@ -6,8 +6,8 @@
 
 namespace rt::scene {
 
-/// The surface swept by a circle whose radius goes from `radius` at `from` to `top_radius` at `to` (0: a point), closed
-/// by a disc at each end whose radius is not 0; `open` leaves the discs out.
+/// The surface swept by a circle whose radius varies linearly from `radius` at `from` to `top_radius` at `to` (0: a
+/// point), closed by a disc at each end whose radius is not 0; `open` omits the discs.
 struct Cone {
   static constexpr std::string_view noun = "cone";
   static constexpr std::string_view help = "a round bar whose radius changes from end to end";
@@ -53,13 +53,13 @@ inline const ConeGeometry& lamp_surface(const ConeGeometry& cone) {
 double area(const ConeGeometry& cone);
 AreaPoint point_by_area(const ConeGeometry& cone, double u, double v);
 
-/// The stretch of a line within the cone's side, as if that went on without end, on the nappe that the ends cut from
-/// the double cone; between the planes of the ends nothing of the other nappe counts.
+/// The segment of a line within the cone's side, extended without end, on the nappe that the ends cut from the double
+/// cone; between the planes of the ends nothing of the other nappe counts.
 ///
-/// With the arms m and n of the ray's origin and direction (their parts across the axis, turned by 90°) and the radius
-/// ρ + t·ρ' at the ray's height, (m + t·n)² − (ρ + t·ρ')² = a·t² + 2·b·t + c. Its discriminant b² − a·c is
-/// |ρ·n − ρ'·m|² − |m × n|², which does not cancel where the ray starts far from the surface; b² − a·c is the more
-/// precise close to it.
+/// With the arms m and n of the ray's origin and direction (their parts perpendicular to the axis, rotated by 90°) and
+/// the radius ρ + t·ρ' at the ray's height, (m + t·n)² − (ρ + t·ρ')² = a·t² + 2·b·t + c. Its discriminant b² − a·c is
+/// |ρ·n − ρ'·m|² − |m × n|², which does not cancel if the ray starts far from the surface; b² − a·c is more accurate
+/// close to it.
 AxisRange side_span(const ConeGeometry& cone, const AxialRay& ray);
 
 inline AxialRay axial_ray(const ConeGeometry& cone, const Ray& ray) {

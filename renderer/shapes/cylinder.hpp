@@ -6,15 +6,15 @@
 
 namespace rt::scene {
 
-/// The points at `radius` from the segment `from`–`to`, and the two discs that close it; or, about the origin of the
-/// shape's own space, along `axis` for `height` (half of it each way). `open` leaves out the discs; `infinite` goes on
-/// along the axis both ways.
+/// The points at `radius` from the segment `from`–`to`, and the two discs that close it; or, about the origin of object
+/// space, along `axis` for `height` (half of it each way). `open` omits the discs; `infinite` extends it along the axis
+/// both ways.
 struct Cylinder {
   static constexpr std::string_view noun = "cylinder";
   static constexpr std::string_view help = "a round bar between two points, or along an axis";
   std::optional<Vec3> from, to;
-  std::optional<Vec3> axis;     ///< +y where no form is written
-  std::optional<double> height; ///< 1 where it is not written
+  std::optional<Vec3> axis;     ///< +y if neither form is specified
+  std::optional<double> height; ///< 1 if not specified
   double radius = 1;
   bool open = false;
   bool infinite = false;
@@ -33,7 +33,7 @@ struct CylinderGeometry {
   Vec3 axis; ///< unit
   double height = 1;
   double radius = 1;
-  Extent extent = Extent::closed; ///< the height of what is infinite has no meaning
+  Extent extent = Extent::closed; ///< if infinite, the height is meaningless
 };
 
 CylinderGeometry geometry(const scene::Cylinder& cylinder);
@@ -53,10 +53,10 @@ inline const CylinderGeometry& lamp_surface(const CylinderGeometry& cylinder) {
 double area(const CylinderGeometry& cylinder);
 AreaPoint point_by_area(const CylinderGeometry& cylinder, double u, double v);
 
-/// The stretch of a line within the cylinder's side, as if that had no ends: in the plane across the axis, a circle's
-/// chord. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius. Its discriminant comes from
-/// the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, which does not cancel; but
-/// for an origin close to the surface and a direction close to touching it, b² − a·c is the more precise.
+/// The segment of a line within the cylinder's side, extended without end: a circle's chord in the plane perpendicular
+/// to the axis. a·t² + 2·b·t + c is the squared distance from the axis less the squared radius. Its discriminant is
+/// computed from the line's distance from the axis, (origin · (direction × axis)) / |direction × axis|, which does not
+/// cancel; but for an origin close to the surface and a nearly tangent direction, b² − a·c is more accurate.
 inline AxisRange side_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
   const double radius_squared = cylinder.radius * cylinder.radius;
   const Vec3 n = ray.direction_arm();
@@ -73,7 +73,7 @@ inline AxisRange side_span(const CylinderGeometry& cylinder, const AxialRay& ray
   return {{std::min(roots.first, roots.second), side_part}, {std::max(roots.first, roots.second), side_part}};
 }
 
-/// The stretch within the solid that the cylinder is, or would be if it were closed.
+/// The segment within the solid that the cylinder is, or would be if it were closed.
 inline AxisRange inner_span(const CylinderGeometry& cylinder, const AxialRay& ray) {
   const AxisRange side = side_span(cylinder, ray);
   if (cylinder.extent == CylinderGeometry::Extent::infinite || side.is_empty()) return side;
@@ -84,9 +84,9 @@ inline AxialRay axial_ray(const CylinderGeometry& cylinder, const Ray& ray) {
   return {ray, cylinder.base, cylinder.axis, cylinder.height / 2, cylinder.height + cylinder.radius};
 }
 
-/// Whether the line surely passes the side by, as most do that come through the box of a slanted cylinder. It does
-/// where |o·n| > r·|n|, n = d × axis. The roundings of both sides together are below e = 2⁻⁴⁸·(|o| + r)·|d|, and with δ
-/// = 2⁻¹⁰ (r·|n| + e)² ≤ (1 + δ)·r²·|n|² + (1 + 1/δ)·e².
+/// Whether the line certainly misses the side, as most do that cross the box of a slanted cylinder. It does if |o·n| >
+/// r·|n|, n = d × axis. The rounding errors of both sides together are below e = 2⁻⁴⁸·(|o| + r)·|d|, and with δ = 2⁻¹⁰
+/// (r·|n| + e)² ≤ (1 + δ)·r²·|n|² + (1 + 1/δ)·e².
 inline bool passes_by(const CylinderGeometry& cylinder, const Ray& ray) {
   const Vec3 origin = ray.origin - cylinder.base, n = cross(ray.direction, cylinder.axis);
   const double aside = dot(origin, n), radius_squared = cylinder.radius * cylinder.radius;

@@ -37,7 +37,7 @@ std::optional<DiscGeometry> placed(const DiscGeometry& disc, const Affine& map) 
                       disc.hole * *scale};
 }
 
-// With u, v spanning the disc's plane, the image reaches radius·√((row·u)² + (row·v)²) along each axis: the length of
+// With u, v spanning the disc's plane, the image extends radius·√((row·u)² + (row·v)²) along each axis: the length of
 // the row's part perpendicular to the normal.
 Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, double radius) {
   const Vec3 middle = map.point(center);
@@ -59,7 +59,7 @@ double area(const DiscGeometry& disc) {
   return std::numbers::pi * (disc.radius * disc.radius - disc.hole * disc.hole);
 }
 
-// Rings of the whole disc, pressed outwards to leave the hole.
+// Rings of the whole disc, moved outwards to leave the hole.
 AreaPoint point_by_area(const DiscGeometry& disc, double u, double v) {
   const Vec2 d = to_disc(u, v);
   const double r2 = disc.radius * disc.radius, hole2 = disc.hole * disc.hole, whole = d.x * d.x + d.y * d.y;

@@ -5,8 +5,8 @@
 
 namespace rt::scene {
 
-/// The points of the plane through the origin of the shape's own space, perpendicular to `normal`, at a distance
-/// between `hole` and `radius` from the origin, both included.
+/// The points of the plane through the origin of object space, perpendicular to `normal`, at a distance between `hole`
+/// and `radius` from the origin, both included.
 struct Disc {
   static constexpr std::string_view noun = "disc";
   static constexpr std::string_view help = "a flat round face, with or without a hole";
@@ -57,7 +57,7 @@ inline bool intersect(const DiscGeometry& disc, const Ray& ray, const Interval& 
   return true;
 }
 
-/// The box around the image of a circle's disc; `normal` is a unit vector.
+/// The bounding box of the image of a disc; `normal` is a unit vector.
 Box3 disc_bounds(const Affine& map, const Vec3& center, const Vec3& normal, double radius);
 
 } // namespace rt

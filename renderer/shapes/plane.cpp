@@ -51,8 +51,8 @@ Box3 bounds(const PlaneGeometry& plane, const Affine& map) {
   return box;
 }
 
-// What matters is how far the rounding of a point's distance from the plane reaches: that is a sum of products of the
-// coordinates with the normal's.
+// What matters is how far the rounding error of a point's distance from the plane reaches: that is a sum of products of
+// the coordinates with the normal's.
 SurfacePoint surface_point(const PlaneGeometry& plane, const Ray& ray, const Hit& hit) {
   const Vec3 p = ray.at(hit.t);
   const Vec3 position = p - plane.normal * (dot(plane.normal, p) - plane.offset);

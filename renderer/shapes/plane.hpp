@@ -10,7 +10,7 @@ namespace rt::scene {
 struct Plane {
   static constexpr std::string_view noun = "plane";
   static constexpr std::string_view help = "an endless flat surface; as a solid, the half-space behind it";
-  std::optional<Vec3> normal; ///< +y where no form is written
+  std::optional<Vec3> normal; ///< +y if no form is specified
   std::optional<double> offset;
   std::optional<double> x, y, z;
 };

@@ -6,7 +6,7 @@
 
 namespace rt::scene {
 
-/// The inside of a closed chain of at least three points of one plane, which may be non-convex.
+/// The interior of a closed planar chain of at least three points, which need not be convex.
 struct Polygon {
   static constexpr std::string_view noun = "polygon";
   static constexpr std::string_view help = "a flat face with any number of corners";
@@ -22,8 +22,8 @@ namespace rt {
 
 struct PolygonGeometry {
   std::vector<Vec3> points;
-  Vec3 normal;       ///< unit; right-handed about the points' order as it was written
-  double extent = 0; ///< diagonal of the box around the points
+  Vec3 normal;       ///< unit; right-handed about the points in the order written
+  double extent = 0; ///< diagonal of the points' bounding box
 };
 
 PolygonGeometry geometry(const scene::Polygon& polygon);

@@ -6,16 +6,16 @@
 
 namespace rt::scene {
 
-/// A flat four-sided face: a square of `size` about the origin of the shape's own space, perpendicular to `normal`; or
-/// the parallelogram at `corner` spanned by `edge_u` and `edge_v`; or four `points` of one plane, in order.
+/// A flat four-sided face: a square of `size` about the origin of object space, perpendicular to `normal`; or the
+/// parallelogram at `corner` spanned by `edge_u` and `edge_v`; or four coplanar `points`, in order.
 ///
 /// The square stands upright: two of its edges are level, along u = y × normal (along x where the normal is vertical,
 /// to 1e-9), the others along normal × u.
 struct Quad {
   static constexpr std::string_view noun = "quad";
   static constexpr std::string_view help = "a flat face with four corners";
-  std::optional<double> size; ///< 1 where no form is written
-  std::optional<Vec3> normal; ///< +y where it is not written
+  std::optional<double> size; ///< 1 if no form is specified
+  std::optional<Vec3> normal; ///< +y if not specified
   std::optional<Vec3> corner, edge_u, edge_v;
   std::optional<std::vector<Vec3>> points;
 };
@@ -29,8 +29,8 @@ namespace rt {
 
 struct QuadGeometry {
   std::array<Vec3, 4> points;
-  Vec3 normal;       ///< unit; right-handed about the points' order as it was written
-  double extent = 0; ///< diagonal of the box around the points
+  Vec3 normal;       ///< unit; right-handed about the points in the order written
+  double extent = 0; ///< diagonal of the points' bounding box
 };
 
 QuadGeometry geometry(const scene::Quad& quad);

@@ -4,8 +4,8 @@
 
 namespace rt {
 
-// Far along the axis the first rejection leaves a part along the axis that is small only beside the height; the second
-// one is of a short vector.
+// Far along the axis the first rejection leaves a part along the axis that is small only relative to the height; the
+// second one is of a short vector.
 Vec3 radial_direction(const Vec3& from_base, const Vec3& axis) {
   const Vec3 outward = reject(from_base, axis);
   const double distance = length(outward);

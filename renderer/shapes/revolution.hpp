@@ -7,12 +7,12 @@
 #include <limits>
 #include <optional>
 
-/// What cylinders and cones share: they turn about an axis and end at two planes across it.
+/// What cylinders and cones share: they are surfaces of revolution, cut off by two planes perpendicular to the axis.
 namespace rt {
 
 inline constexpr std::uint32_t side_part = 0, base_part = 1, top_part = 2;
 
-/// The stretch of a line between two parameters, and the surfaces it begins and ends at.
+/// The segment of a line between two parameters, and the surfaces where it begins and ends.
 struct AxisRange {
   Hit enter{-std::numeric_limits<double>::infinity(), side_part};
   Hit leave{std::numeric_limits<double>::infinity(), side_part};
@@ -21,15 +21,15 @@ struct AxisRange {
   bool is_empty() const { return !(enter.t <= leave.t); }
 };
 
-/// A ray as seen from the base of an axis, from an origin that is not far away: rounding then stays in proportion to
-/// the shape. `advance` is the t that was left behind.
+/// A ray relative to the base of an axis, with its origin moved close to it: rounding errors then stay in proportion to
+/// the shape. `advance` is the t that was skipped.
 struct AxialRay {
   Vec3 origin; ///< relative to the base
   Vec3 direction;
   Vec3 axis;
   double advance = 0;
 
-  /// `size` is about how large the shape is, `middle` how high above the base its middle lies.
+  /// `size` is roughly how large the shape is, `middle` how high above the base its middle is.
   AxialRay(const Ray& ray, const Vec3& base, const Vec3& unit_axis, double middle, double size)
       : origin(ray.origin - base), direction(ray.direction), axis(unit_axis) {
     if (dot(origin, origin) > 64 * size * size) {
@@ -38,12 +38,12 @@ struct AxialRay {
     }
   }
 
-  /// The parts across the axis, turned by 90°: as long as the distance from the axis.
+  /// The parts perpendicular to the axis, rotated by 90°: as long as the distance from the axis.
   Vec3 origin_arm() const { return cross(origin, axis); }
   Vec3 direction_arm() const { return cross(direction, axis); }
 
-  /// The stretch between the planes at the heights 0 and `top`. A line within a plane counts as between: the product
-  /// 0·∞ is no number, and no bound.
+  /// The segment between the planes at the heights 0 and `top`. A line within a plane counts as between: the product
+  /// 0·∞ is NaN, and no bound.
   AxisRange between(double top) const {
     const double height = dot(origin, axis), inverse = 1 / dot(direction, axis);
     const bool falls = std::signbit(inverse);
@@ -52,11 +52,11 @@ struct AxialRay {
     return {{first, falls ? top_part : base_part}, {last, falls ? base_part : top_part}};
   }
 
-  /// As the caller's ray counts.
+  /// In terms of the caller's ray.
   Hit restored(const Hit& hit) const { return {hit.t + advance, hit.part}; }
 };
 
-/// The part of `side` that is also in `slab`; where both begin or end together it is at the side.
+/// The part of `side` that is also in `slab`; where both begin or end together, the side wins.
 inline AxisRange overlap(const AxisRange& side, const AxisRange& slab) {
   AxisRange both;
   both.enter.part = slab.enter.t > side.enter.t ? slab.enter.part : side.enter.part;
@@ -66,8 +66,8 @@ inline AxisRange overlap(const AxisRange& side, const AxisRange& slab) {
   return both;
 }
 
-/// The nearest crossing of a solid's surface, or of its side alone where it is open: what would go through an end does
-/// not hit it.
+/// The nearest crossing with a solid's surface, or with its side alone if it is open: passing through an open end is
+/// not a hit.
 inline bool take_first(const AxialRay& ray, const AxisRange& inside, bool is_open, const Interval& range, Hit& hit) {
   if (inside.is_empty()) return false;
   const Hit enter = ray.restored(inside.enter), leave = ray.restored(inside.leave);
@@ -83,11 +83,11 @@ inline Crossings crossings_of(const AxialRay& ray, const AxisRange& inside) {
   return found;
 }
 
-/// The area of the discs that close it, none where it is open.
+/// The area of the discs that close it; none if it is open.
 double ends_area(double base_radius, double top_radius, bool is_open);
 
-/// Draws from the whole surface of a cylinder or cone with these radii at base and top: `u` is a stack of base, top and
-/// side, each as high as its share of the area. Nothing where the side's turn is; then `u` is 0 to 1 within the side.
+/// Samples the whole surface of a cylinder or cone with these radii at base and top: `u` is divided among base, top and
+/// side in proportion to their areas. Nothing if the side is chosen; then `u` is rescaled to 0 to 1 within the side.
 template <class G>
 std::optional<AreaPoint> point_of_ends(const G& shape, const std::array<double, 2>& radii, bool is_open, double& u,
                                        double v) {
@@ -105,7 +105,7 @@ std::optional<AreaPoint> point_of_ends(const G& shape, const std::array<double, 
   return AreaPoint{shape.base + shape.axis * shape.height + across * radii[1], shape.axis};
 }
 
-/// The unit vector from the axis to a point, perpendicular to the axis to full precision; zero where the point is on
+/// The unit vector from the axis to a point, perpendicular to the axis to full precision; zero if the point is on
 /// it.
 Vec3 radial_direction(const Vec3& from_base, const Vec3& axis);
 

@@ -31,7 +31,7 @@ std::optional<SphereGeometry> placed(const SphereGeometry& sphere, const Affine&
   return SphereGeometry{map.point(sphere.center), sphere.radius * *scale};
 }
 
-// The image of a ball is an ellipsoid; along each axis it reaches as far as the map's row is long.
+// The image of a sphere is an ellipsoid; along each axis its extent is the length of the map's row.
 Box3 bounds(const SphereGeometry& sphere, const Affine& map) {
   const Vec3 reach = Vec3{length(map.row(0)), length(map.row(1)), length(map.row(2))} * sphere.radius;
   const Vec3 center = map.point(sphere.center);

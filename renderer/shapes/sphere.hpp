@@ -6,7 +6,7 @@
 
 namespace rt::scene {
 
-/// The points at `radius` from the origin of the shape's own space (its `at` is part of the placement).
+/// The points at `radius` from the origin of object space (its `at` is part of the placement).
 struct Sphere {
   static constexpr std::string_view noun = "sphere";
   static constexpr std::string_view help = "a ball about its middle";
@@ -50,14 +50,14 @@ inline const SphereGeometry& lamp_surface(const SphereGeometry& sphere) {
 double area(const SphereGeometry& sphere);
 AreaPoint point_by_area(const SphereGeometry& sphere, double u, double v);
 
-/// The line's way through the ball is a chord about the point nearest to the centre. Half of it follows from that
-/// point's distance, which keeps its precision for far origins (Haines, Günther and Akenine-Möller, Precision
+/// The line's segment inside the sphere is a chord about the point nearest to the centre. Half its length follows from
+/// that point's distance, which stays accurate for far origins (Haines, Günther and Akenine-Möller, Precision
 /// Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019); the root that would cancel follows from the
 /// product of both.
 struct SphereChord {
   double middle;       ///< t of the point nearest to the centre
-  double half_squared; ///< negative: the line passes by
-  double product;      ///< of both roots: positive where the origin is outside
+  double half_squared; ///< negative: the line misses
+  double product;      ///< of both roots: positive if the origin is outside
 
   /// Both roots in order; half_squared must not be negative.
   void roots(double& near, double& far) const {
@@ -80,7 +80,7 @@ inline SphereChord sphere_chord(const Vec3& to_center, double power, const Vec3&
 inline bool intersect(const SphereGeometry& sphere, const Ray& ray, const Interval& range, Hit& hit) {
   const Vec3 to_center = sphere.center - ray.origin;
   const double power = dot(to_center, to_center) - sphere.radius * sphere.radius;
-  if (power > 0 && dot(to_center, ray.direction) <= 0) return false; // outside and on the way out
+  if (power > 0 && dot(to_center, ray.direction) <= 0) return false; // outside and moving away
   const SphereChord chord = sphere_chord(to_center, power, ray.direction, sphere.radius);
   if (!(chord.half_squared >= 0)) return false;
   Hit near, far;

@@ -6,8 +6,8 @@
 
 namespace rt::scene {
 
-/// A triangle with its edges. `normals`, one for each corner or none at all, are interpolated over it to make it look
-/// curved: each is carried to the scene and normalised before the interpolation.
+/// A triangle with its edges. `normals`, one per corner or none at all, are interpolated over it to make it look
+/// curved: each is transformed to the scene and normalised before interpolation.
 struct Triangle {
   static constexpr std::string_view noun = "triangle";
   static constexpr std::string_view help = "a flat face with three corners, or one that looks curved";
@@ -45,7 +45,7 @@ inline const TriangleGeometry& lamp_surface(const TriangleGeometry& triangle) {
 double area(const TriangleGeometry& triangle);
 AreaPoint point_by_area(const TriangleGeometry& triangle, double u, double v);
 
-/// The weights of the corners at a point of the triangle's plane; their sum is 1.
+/// The barycentric coordinates of a point of the triangle's plane; their sum is 1.
 Vec3 barycentric(const TriangleGeometry& triangle, const Vec3& point);
 
 template <std::size_t Axis>
@@ -56,7 +56,7 @@ inline bool intersect_along(const TriangleGeometry& triangle, const Ray& ray, co
   const Projected p = projected<Axis>(a, ray.direction);
   const Projected q = projected<Axis>(b, ray.direction);
   const Projected r = projected<Axis>(c, ray.direction);
-  // Twice the areas opposite the corners: the corners' weights at the hit, times their sum.
+  // Twice the areas opposite the corners: the barycentric coordinates of the hit, times their sum.
   const double u = side_of_origin(q, r), v = side_of_origin(r, p), w = side_of_origin(p, q);
   if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
   const double area = u + v + w;
@@ -72,25 +72,25 @@ inline bool intersect(const TriangleGeometry& triangle, const Ray& ray, const In
                        [&]<std::size_t Axis>() { return intersect_along<Axis>(triangle, ray, range, hit); });
 }
 
-/// A triangle that is shaded as if it were curved. The normals need not be unit vectors: they are normalised where the
-/// scene's space is reached.
+/// A triangle that is shaded as if it were curved. The normals need not be unit vectors: they are normalised in scene
+/// space.
 struct SmoothTriangleGeometry : TriangleGeometry {
   std::array<Vec3, 3> normals;
 };
 
 std::optional<SmoothTriangleGeometry> placed(const SmoothTriangleGeometry& triangle, const Affine& map);
 
-/// A normal to shade with that is interpolated between the corners of a triangle.
+/// A shading normal interpolated between the corners of a triangle.
 struct InterpolatedNormal {
   Vec3 weights; ///< of the corners; their sum is 1
   std::array<Vec3, 3> normals;
 
-  /// Carries the normals by `map` to another space.
+  /// Transforms the normals by `map` to another space.
   void carry(const Affine& map) {
     for (Vec3& normal : normals) normal = map.normal(normal);
   }
-  /// The unit normal. Those of the corners are normalised before they are interpolated, as POV-Ray does; where they
-  /// cancel out it is `geometric_normal`.
+  /// The unit normal. Those of the corners are normalised before they are interpolated, as in POV-Ray; if they cancel
+  /// out it is `geometric_normal`.
   Vec3 value(const Vec3& geometric_normal) const;
 };
 

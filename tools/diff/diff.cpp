@@ -15,7 +15,7 @@ std::array<double, 3> channels(const Rgb32& c) {
   return {c.r, c.g, c.b};
 }
 
-// What a screen is sent: sRGB from 0 to 1. What is no number is shown as black.
+// What is sent to a screen: sRGB from 0 to 1. NaN is shown as black.
 std::array<double, 3> shown(const Rgb32& c) {
   std::array<double, 3> values = channels(c);
   for (double& v : values) v = std::isnan(v) ? 0 : linear_to_srgb(std::clamp(v, 0.0, 1.0));
@@ -32,7 +32,7 @@ double largest(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return result;
 }
 
-// Luma by ITU-R BT.601, as structural similarity is usually taken.
+// Luma by ITU-R BT.601, as is usual for structural similarity.
 double luma(const std::array<double, 3>& c) {
   return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
 }
@@ -70,7 +70,7 @@ struct Grid {
   std::vector<double> values;
 };
 
-// The weighted mean of every place where the window fits, columns first, then rows.
+// The weighted mean at every position where the window fits, columns first, then rows.
 Grid windowed(const Grid& in, const std::vector<double>& across, const std::vector<double>& down) {
   const auto n = [](const std::vector<double>& w) { return static_cast<int>(w.size()); };
   const auto at = [](const Grid& g, int x, int y) {
@@ -131,7 +131,7 @@ Difference difference(const Film& a, const Film& b) {
       const auto p = shown(a.color[i]), q = shown(b.color[i]);
       d.color_error.push_back(static_cast<float>(error));
       d.color_equal += error <= 1e-5;
-      d.color_within_8bit += largest(p, q) <= 1.0 / 255 + 1e-7; // values a step apart differ by 1/255 and some rounding
+      d.color_within_8bit += largest(p, q) <= 1.0 / 255 + 1e-7; // values one step apart differ by 1/255 plus rounding
       if (error > d.color_max) d.color_max = error, d.color_max_x = x, d.color_max_y = y;
       for (std::size_t c = 0; c < 3; ++c) squares += (p[c] - q[c]) * (p[c] - q[c]);
       luma_a.push_back(luma(p));

@@ -50,8 +50,8 @@ LineIntervals without_slivers(const LineIntervals& a) {
 
 struct TooDeep {};
 
-// Where the line is inside of what the object is, a shape, a group's union or a combination. `ray` is in its parent's
-// space.
+// Where the line is inside an object: a shape, a group's union or a combination. `ray` is in the space of its
+// parent.
 class Walker {
 public:
   explicit Walker(const scene::Scene& scene) : scene_(scene) {}
@@ -80,7 +80,7 @@ private:
     bool is_first = true;
     for (const scene::Object& object : objects) {
       if (!object.is_visible) {
-        // Where there is nothing to take away from, nothing is left.
+        // If there is nothing to subtract from, the result is empty.
         if (is_first && &object == &objects.front() && operation == scene::Combination::Operation::subtract) return {};
         continue;
       }

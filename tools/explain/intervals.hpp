@@ -8,14 +8,14 @@
 #include <span>
 #include <vector>
 
-/// Where a line is inside of solids and what combinations make of them: interval lists, worked out beside the tracer.
+/// Where a line is inside solids and what combinations make of that: interval lists, independent of the tracer's.
 namespace rt::tools::explain {
 
 /// The line is inside from `enter` to `leave`; both may be infinite.
 struct LineInterval {
   double enter, leave;
 };
-using LineIntervals = std::vector<LineInterval>; ///< apart from each other, in order
+using LineIntervals = std::vector<LineInterval>; ///< disjoint, in order
 
 LineIntervals unite(const LineIntervals& a, const LineIntervals& b);
 LineIntervals intersect(const LineIntervals& a, const LineIntervals& b);
@@ -29,14 +29,14 @@ struct OperandIntervals {
 
 /// A combination along a line.
 struct CombinationIntervals {
-  std::uint32_t depth = 0; ///< its position on the path
+  std::uint32_t depth = 0; ///< its index on the path
   scene::Combination::Operation operation;
   std::vector<OperandIntervals> operands; ///< the visible ones, in order
   LineIntervals inside;                   ///< of the whole
 };
 
-/// Of the outermost combination that the path leads through, along the scene's `ray`; none if there is none, or if it
-/// is nested too deep to be worked out by hand.
+/// For the outermost combination on the path, along the scene's `ray`; none if there is none, or if it is nested too
+/// deeply to be worked out by hand.
 std::optional<CombinationIntervals> intervals_along(const scene::Scene& scene, std::span<const std::uint32_t> path,
                                                     const Ray& ray);
 

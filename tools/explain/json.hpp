@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-/// What the answers for machines share.
+/// What the JSON answers share.
 namespace rt::tools::explain {
 
 inline nlohmann::ordered_json to_json(const Vec3& v) {
@@ -20,12 +20,12 @@ inline nlohmann::ordered_json to_json(const Color& c) {
   return {c.r, c.g, c.b};
 }
 
-/// Null for infinity, which JSON does not have: a sun's distance.
+/// Null for infinity, which JSON does not have: the distance of a sun.
 inline nlohmann::ordered_json to_json(double v) {
   return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
 }
 
-/// `named` with `file` and `line` where that was written.
+/// `named` with `file` and `line` added, if known.
 nlohmann::ordered_json with_place(const scene::Scene& scene, nlohmann::ordered_json named, scene::Origin origin);
 
 /// The objects that a path leads through (`HitReport::path`): shape, name and place of each.

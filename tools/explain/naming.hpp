@@ -8,38 +8,38 @@
 #include <string_view>
 #include <vector>
 
-/// How objects and lights are called in answers.
+/// How answers name objects and lights.
 namespace rt::tools::explain {
 
-/// The objects that a path of positions leads through, from the scene's list inwards; the last is the shape itself.
-/// The path must be one of this scene's (`HitReport::path`).
+/// The objects that a path of indices leads through, from the scene's list inwards; the last is the shape itself. The
+/// path must be one of this scene's (`HitReport::path`).
 std::vector<const scene::Object*> objects_on(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-/// The object that answers for the whole of what was hit: the outermost that has a name, else the outermost
-/// combination, else the shape itself. None for an empty path.
+/// The object that represents what was hit: the outermost that has a name, else the outermost combination, else the
+/// shape itself. None for an empty path.
 const scene::Object* owner(const scene::Scene& scene, std::span<const std::uint32_t> path);
 
-/// Its name, or its noun where it has none; of a combination its operation.
+/// Its name, or its noun if it has none; for a combination its operation.
 std::string name_of(const scene::Scene& scene, const scene::Object& object);
 std::string name_of(const scene::Scene& scene, const scene::Light& light);
 
-/// Names with the shortest place that says where they are written: "`ball` (line 7)", with the file where it is not
-/// the scene's own.
+/// Names with the shortest form of their place: "`ball` (line 7)", with the file if it is not the scene's
+/// own.
 class Namer {
 public:
-  /// `file` is what the scene's own file is called in `scene.files`; without it every place has its file. The scene
+  /// `file` is the name of the scene's own file in `scene.files`; without it every place includes its file. The scene
   /// must outlive the namer.
   explicit Namer(const scene::Scene& scene, std::string_view file = {}) : scene_(scene), file_(file) {}
 
-  /// The whole of what was hit, outermost first: "`table` (line 12), its box (line 4)".
+  /// All objects that were hit, outermost first: "`table` (line 12), its box (line 4)".
   std::string whole(std::span<const std::uint32_t> path) const;
-  /// The same for objects that stand within each other.
+  /// The same for nested objects.
   std::string whole(std::span<const scene::Object* const> objects) const;
-  /// The name of the object that answers for the whole: `owner`.
+  /// The name of the object that represents the hit: `owner`.
   std::string title(std::span<const std::uint32_t> path) const;
   std::string object(const scene::Object& object) const;
   std::string light(std::uint32_t index) const;
-  /// "line 7", "other.rtl:7"; empty where it was not written.
+  /// "line 7", "other.rtl:7"; empty if it was not written.
   std::string place(scene::Origin origin) const;
 
 private:

@@ -64,7 +64,7 @@ private:
 
   const scene::Scene& scene_;
   RayQuery query_;
-  mutable std::optional<Estimator> estimator_; // made when it is first needed
+  mutable std::optional<Estimator> estimator_; // created on first use
 };
 
 } // namespace

@@ -4,7 +4,7 @@
 
 namespace rt::tools::explain {
 
-/// Who looks at a scene for the expectations in it: the tracer that makes the pictures.
+/// Observes a scene for the expectations in it, with the tracer that makes the pictures.
 lang::ObserverMaker tracing_observer();
 
 } // namespace rt::tools::explain

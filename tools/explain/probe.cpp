@@ -41,7 +41,7 @@ std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
   return text;
 }
 
-// Of a hit that is not the first in its place.
+// For a hit that is not the first in its place.
 std::string place_text(const std::vector<HitReport>& hits, std::size_t i) {
   if (i == 0 || hits[i - 1].place != hits[i].place) return "";
   const auto first = std::ranges::find(hits, hits[i].place, &HitReport::place);

@@ -12,7 +12,7 @@
 /// Which ray a question is about.
 namespace rt::tools::explain {
 
-/// A question that makes no sense; the message is for the user.
+/// An invalid question; the message is for the user.
 struct QuestionError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,20 +22,20 @@ struct Question {
   std::optional<std::array<int, 2>> pixel{}; ///< its centre, or one of its samples
   std::optional<int> sample{};               ///< of the pixel's grid, row by row from 0
   std::optional<std::array<double, 2>> at{}; ///< continuous: pixel (0, 0) has its centre at (0.5, 0.5)
-  std::optional<Ray> ray{};                  ///< as given: t counts the lengths of its direction
+  std::optional<Ray> ray{};                  ///< as given: t is in multiples of its direction
 };
 
-/// A question as it is written, in the options of a command.
+/// A question as written in the options of a command.
 struct QuestionText {
   std::string pixel{}, at{};      ///< "400,300", "10.5,20.25"
   int sample = -1;                ///< none
   std::vector<std::string> ray{}; ///< origin and direction, "0,1.5,-2" each
 };
-/// Throws QuestionError for what is not a pixel, a point or a ray.
+/// Throws QuestionError for anything that is not a pixel, a point or a ray.
 Question parse(const QuestionText& text);
 
-/// The ray and how it is called: "pixel (400, 300)". Throws QuestionError where the question is about a place outside
-/// the picture, a ray without direction, or not exactly one thing.
+/// The ray and its name: "pixel (400, 300)". Throws QuestionError for a place outside the picture, a ray without
+/// direction, or not exactly one of the three.
 struct NamedRay {
   Ray ray;
   std::string name;

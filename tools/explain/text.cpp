@@ -13,7 +13,7 @@ namespace rt::tools::explain {
 namespace {
 
 constexpr int columns = 100;
-constexpr int deepest_indent = 50; // beyond it a line would have no room
+constexpr int deepest_indent = 50; // beyond it there would be no room on a line
 
 int width_of(std::string_view text) {
   int width = 0;
@@ -25,7 +25,7 @@ int width_of(std::string_view text) {
   return width;
 }
 
-// Without a minus before what is rounded to 0.
+// Without a minus sign before a value rounded to 0.
 std::string short_text(double v) {
   return fmt::format("{:.6g}", v + 0.0);
 }
@@ -65,7 +65,7 @@ std::string list_text(std::span<const std::string> items) {
 
 namespace {
 
-// Up to the next space outside of brackets: vectors and places stay whole.
+// Up to the next space outside brackets: vectors and places are not split.
 std::string_view next_word(std::string_view text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -21,7 +21,7 @@ std::string text_of(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", format_number(v.x), format_number(v.y), format_number(v.z));
 }
 
-/// v/255, which is light itself.
+/// v/255, which is linear light.
 std::string channel(double v) {
   return v == 0 || v == 255 ? format_number(v / 255) : fmt::format("{} / 255", format_number(v));
 }
@@ -31,7 +31,7 @@ std::string color_text(const Vec3& v) {
   return fmt::format("linear_rgb({}, {}, {})", channel(v.x), channel(v.y), channel(v.z));
 }
 
-/// How a surface of a colour is written.
+/// How a surface with a colour is written.
 using MaterialText = std::string (*)(const Vec3& color);
 std::string inline_material(const Vec3& color) {
   return fmt::format("material {{ color: {}, diffuse: 1 }}", color_text(color));
@@ -78,7 +78,7 @@ private:
   }
   void find_form() { is_older_ = has("R") || ((has("c") || has("l")) && !has("C")); }
 
-  // The element that the word means in this form; lenient, a `c` may be written `C`.
+  // The element that the word means in this version; if lenient, a `c` may be written `C`.
   const ElementRow* element(std::string_view word) const {
     if (options_.is_lenient && is_older_ && (word == "C" || word == "L")) word = word == "C" ? "c" : "l";
     return find_element(word);
@@ -194,7 +194,7 @@ private:
   std::array<int, 2> picture_size() const {
     const auto row = std::ranges::find(elements_, Word::R, [](const Element& e) { return e.row->word; });
     if (row == elements_.end()) return options_.size;
-    // The school's programs cut it to their screen.
+    // The school's programs clamp it to the screen.
     const auto side = [&](std::size_t i) { return static_cast<int>(std::min(row->fields[i].numbers.x, 16384.0)); };
     return {side(0), side(1)};
   }

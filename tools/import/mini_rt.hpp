@@ -4,8 +4,8 @@
 
 namespace rt::tools::import {
 
-/// A scene of the miniRT project of the 42 schools, in the form of 2021 and later or in the one before, which an `R`
-/// line or small letters for camera and lamps tell. The older form's further cameras become comments.
+/// A scene of 42's miniRT project, in the format of 2021 and later or in the earlier one, recognised by an `R` line or
+/// lower-case letters for camera and lamps. The earlier format's additional cameras become comments.
 Imported read_mini_rt(std::string text, const std::string& name, const Options& options);
 
 } // namespace rt::tools::import

@@ -45,7 +45,7 @@ bool is_whole(FieldKind kind) {
   return kind == FieldKind::pixels || kind == FieldKind::color;
 }
 
-/// Sign, digits, a point among them: no exponent, no other letters.
+/// Sign, digits, perhaps a point among them: no exponent, no other letters.
 std::optional<double> read_number(std::string_view word) {
   std::string_view rest = word;
   if (!rest.empty() && lang::is_sign(rest.front())) rest.remove_prefix(1);
@@ -84,7 +84,7 @@ std::string_view form_of(FieldKind kind) {
   return is_triple(kind) ? "is three numbers with commas and no spaces: 0,1.5,-2" : "is a number: 1.5";
 }
 
-/// The numbers of a field, if it is of the form that its kind has.
+/// The numbers of a field, if it has the form that its kind requires.
 std::optional<Vec3> read_field(FieldKind kind, std::string_view word) {
   double numbers[3]{};
   const std::size_t count = is_triple(kind) ? 3 : 1;

@@ -6,9 +6,9 @@
 
 #include <type_traits>
 
-/// The walk over a scene's description that its JSON and its hash share. Properties come from the field tables of
-/// renderer/scene and renderer/shapes: a new one appears by itself, and a new kind of step, paint or light that is not
-/// handled here does not compile.
+/// The traversal of a scene's description shared by its JSON and its hash. Properties come from the field tables of
+/// renderer/scene and renderer/shapes: a new one appears automatically, and a new kind of step, paint or light that is
+/// not handled here does not compile.
 ///
 /// A `Sink` has begin_object, end_object, begin_array, end_array, key(name), number(double), boolean(bool),
 /// string(text) and `has_origins`, which says whether it wants to know where things were written,
@@ -167,7 +167,7 @@ private:
   void members(const scene::MirrorStep& s) { vector("mirror", s.normal), vector("about", s.about); }
   void members(const scene::MatrixStep& s) {
     sink_.key("matrix");
-    sink_.begin_array(); // four columns: what x, y and z become, and the translation
+    sink_.begin_array(); // four columns: the images of x, y and z, and the translation
     for (const Vec3* column : {&s.matrix.x, &s.matrix.y, &s.matrix.z, &s.matrix.translation}) vector(*column);
     sink_.end_array();
   }

@@ -11,7 +11,7 @@
 namespace rt::tools {
 namespace {
 
-/// Takes in every value word by word, and what kind of value it is, so that no two walks look the same.
+/// Hashes every value word by word, including its kind, so that no two traversals look the same.
 class HashSink {
 public:
   static constexpr bool has_origins = false;
@@ -34,7 +34,7 @@ public:
   std::uint64_t result() const { return mix_bits(state_); }
 
 private:
-  /// No two words lead from one state to the same one.
+  /// A bijection for each word, and no two words lead from one state to the same one.
   void take(std::uint64_t word) { state_ = (std::rotl(state_, 23) ^ word) * golden_increment; }
 
   std::uint64_t state_ = 0;

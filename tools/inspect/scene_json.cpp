@@ -101,7 +101,7 @@ private:
   int depth_ = 0;
   bool is_first_ = true;
   bool after_key_ = false;
-  bool has_lines_[8] = {}; ///< whether the open bracket of each depth has its content on lines of their own
+  bool has_lines_[8] = {}; ///< whether the contents of the open bracket at each depth are on lines of their own
 };
 
 } // namespace

@@ -14,7 +14,7 @@
 namespace rt::tools::live {
 
 struct ProbeOptions {
-  bool all = false; ///< every hit, not the nearest only
+  bool all = false; ///< every hit, not just the nearest
   bool as_json = false;
 };
 
@@ -23,14 +23,14 @@ struct WhyOptions {
   bool as_json = false;
 };
 
-/// A scene that was loaded, with its pictures and the answers about it. It is compiled once, when first asked about.
-/// For one thread at a time.
+/// A loaded scene, with its pictures and answers about it. It is compiled once, on first use. For one thread at a
+/// time.
 class Document {
 public:
   /// `file` is the name of the scene's own file in answers and diagnostics.
   Document(lang::Loaded loaded, std::string file, const PictureSettings& settings = {});
 
-  /// False where the text is wrong, which `diagnostics` say. All that follows them requires a scene.
+  /// False if the text is wrong; see `diagnostics`. Everything below them requires a scene.
   bool has_scene() const { return loaded_.scene.has_value(); }
   const std::vector<lang::Diagnostic>& diagnostics() const { return loaded_.diagnostics; }
   const lang::SourceMap& sources() const { return loaded_.sources; }
@@ -38,14 +38,14 @@ public:
   const std::string& file() const { return file_; }
   const scene::Scene& scene() const { return *loaded_.scene; }
 
-  /// The same bytes as a picture of the file.
+  /// The same bytes as rendering the file.
   Rendered render(const RenderOptions& options);
-  /// Seen in another way.
+  /// With a different view.
   Rendered render(const View& view, const RenderOptions& options);
-  /// In Whitted's mode, whatever the scene says.
+  /// In Whitted mode, whatever the scene says.
   Rendered render_whitted(const RenderOptions& options);
 
-  // Answers end in a line break. They throw explain::QuestionError for a question that makes no sense.
+  // Answers end with a newline. They throw explain::QuestionError for an invalid question.
   std::string probe(const explain::Question& question, const ProbeOptions& options);
   std::string why(const explain::Question& question, const WhyOptions& options);
   /// Requires that it was loaded with `LoadOptions::lint`.

@@ -15,7 +15,7 @@ const scene::Field& field_of(std::string_view name) {
   return *std::find_if(table.begin(), table.end(), [&](const scene::Field& f) { return f.name == name; });
 }
 
-// Why the numbers are not allowed for a field of the scene's; "" where they are.
+// Why the numbers are not allowed for a field of the scene; "" if they are.
 std::string check_field(std::string_view name, const std::vector<int>& numbers) {
   const scene::Constraint& constraint = field_of(name).constraint;
   for (const int number : numbers) {

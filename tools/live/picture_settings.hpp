@@ -10,7 +10,7 @@
 
 namespace rt::tools::live {
 
-/// Settings that a scene cannot have; the message says which and why.
+/// Invalid settings for a scene; the message says which and why.
 struct SettingsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,18 +23,18 @@ struct PictureSettings {
   std::optional<scene::Mode> mode = {};
   std::optional<double> noise = {};
 
-  /// Reads one of them, named like the scene's field: "800x600" for `size`, "path" for `mode`, "0.01" for `noise` and
+  /// Parses one of them, named like the scene's field: "800x600" for `size`, "path" for `mode`, "0.01" for `noise` and
   /// `min_weight`, "16" for the others.
-  /// Returns what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), "" if it was set.
+  /// Returns what is wrong as the predicate of a sentence ("takes a whole number, not `x`"), or "" if it was set.
   std::string set(std::string_view field, std::string_view text);
-  /// Where the mode becomes another, `samples` and `max_depth` of the scene, which were written for its own, count no
-  /// more. Throws SettingsError for what does not go together.
+  /// If the mode changes, the scene's `samples` and `max_depth`, which were written for its own mode, are ignored.
+  /// Throws SettingsError for inconsistent settings.
   void apply_to(scene::Scene& scene) const;
 
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 
-/// Whole numbers with `separator` between them: "800x600", "10,10,50,50". Empty unless there are exactly `count`.
+/// Integers separated by `separator`: "800x600", "10,10,50,50". Empty unless there are exactly `count`.
 std::optional<std::vector<int>> parse_numbers(std::string_view text, char separator, std::size_t count);
 
 } // namespace rt::tools::live

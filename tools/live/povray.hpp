@@ -9,35 +9,35 @@
 #include <memory>
 #include <string>
 
-/// What POV-Ray has to do with a document.
+/// What can be done with a document and POV-Ray.
 namespace rt::tools::live {
 
 struct PovrayExport {
   std::string text;
-  std::string problems; ///< what POV-Ray cannot compute exactly, each with its place; empty: the text is good
+  std::string problems; ///< what POV-Ray cannot compute exactly, each with its place; empty: the text is exact
 };
 PovrayExport export_povray(const Document& document, bool has_comments);
 
 struct CheckOptions {
   povray::Gates gates;
-  std::chrono::milliseconds time_limit = std::chrono::minutes(10); ///< of each run of POV-Ray
+  std::chrono::milliseconds time_limit = std::chrono::minutes(10); ///< for each run of POV-Ray
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(const Progress&)> on_progress; ///< of the own picture, some times a second
-  /// While POV-Ray's is waited for, some times a second: the seconds since it began.
+  std::function<void(const Progress&)> on_progress; ///< for our own picture, a few times a second
+  /// While waiting for POV-Ray's, a few times a second: the seconds since it started.
   std::function<void(double)> on_wait;
 };
 
-/// What to say meanwhile: "waiting for POV-Ray, 12 s".
+/// A status message: "waiting for POV-Ray, 12 s".
 std::string waiting_text(double seconds);
 
-/// A picture compared with POV-Ray's; the report refers to the rest.
+/// A picture compared with POV-Ray's; the report refers to the other members.
 struct Check {
   Film film;
   povray::Shots shots;
   povray::Report report;
 };
 
-/// Renders the document here and in POV-Ray, both at once. Null if it was stopped. Throws povray::Missing and
+/// Renders the document here and in POV-Ray, concurrently. Null if it was stopped. Throws povray::Missing and
 /// povray::Failed. The document must outlive the check.
 std::unique_ptr<const Check> check(Document& document, const CheckOptions& options);
 

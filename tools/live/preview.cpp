@@ -24,7 +24,7 @@ void Preview::work(scene::Resolution size, const MakeFilm& make_film, const Show
       if (!film || stop_) return;
       show(*film);
     } catch (const std::exception&) {
-      return; // whoever asks for the picture itself learns why it cannot be made
+      return; // whoever requests the picture itself gets the error
     }
   }
 }

@@ -10,12 +10,12 @@
 
 namespace rt::tools::live {
 
-/// Pictures made in the background: first a coarse one, then finer ones in its place.
+/// Pictures rendered in the background: first a coarse one, then finer ones that replace it.
 class Preview {
 public:
-  /// Makes the film of that size; nothing once `stop` is set.
+  /// Renders the film at that size; nothing once `stop` is set.
   using MakeFilm = std::function<std::optional<Film>(scene::Resolution size, const std::atomic<bool>& stop)>;
-  /// Takes each film as it is ready, in the background's thread.
+  /// Takes each film as it is finished, in the background thread.
   using Show = std::function<void(const Film& film)>;
 
   Preview() = default;
@@ -23,9 +23,9 @@ public:
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  /// In place of what was started before. What the two functions read must not change before `cancel`.
+  /// Replaces what was started before. What the two functions read must not change before `cancel`.
   void start(scene::Resolution size, MakeFilm make_film, Show show);
-  /// Ends it, within the time of a tile.
+  /// Stops it, within the time of a tile.
   void cancel();
 
 private:

@@ -9,18 +9,18 @@
 
 namespace rt::tools::live {
 
-/// A session's scene in pictures and answers. What is derived from it is kept until the session changes.
+/// A session's scene in pictures and answers. Derived data is kept until the session changes.
 class SessionScene {
 public:
-  /// `options` are those the session was made with. The session must outlive this.
+  /// `options` are those that the session was created with. The session must outlive this.
   SessionScene(lang::Session& session, const lang::LoadOptions& options);
 
-  /// A picture of the scene as it stands; only what changed since the last one is compiled. The session must not change
-  /// while it is made.
+  /// A picture of the current scene; only what changed since the last one is compiled. The session must not change
+  /// meanwhile.
   Rendered render(const PictureSettings& settings, const RenderOptions& options);
 
   /// The document as it would be saved, loaded as the file "session": places in answers are lines of
-  /// `Session::formatted`. Without a scene where loading was stopped.
+  /// `Session::formatted`. Without a scene if loading was stopped.
   Document& document(const PictureSettings& settings = {});
 
 private:
@@ -31,7 +31,7 @@ private:
   CompileCache cache_{0};
   std::optional<CompiledScene> compiled_; // of the scene at a version
   std::size_t compiled_version_ = 0;
-  std::optional<Document> document_; // of a version, with these settings
+  std::optional<Document> document_; // for a version and these settings
   std::size_t document_version_ = 0;
   PictureSettings document_settings_;
 };

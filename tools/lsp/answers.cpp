@@ -172,7 +172,7 @@ json Answers::formatting(const json& params) {
   lang::SourceMap sources;
   const lang::FileId file = sources.add(text.uri, "", text.text);
   const lang::Formatted formatted = lang::format(sources, file);
-  if (!formatted.diagnostics.empty()) return nullptr; // they are shown already
+  if (!formatted.diagnostics.empty()) return nullptr; // they are already shown
   Ranges ranges(workspace_, sources, encoding_);
   json edits = json::array();
   for (const Edit& edit : line_edits(text.text, formatted.text)) {

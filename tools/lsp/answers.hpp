@@ -13,8 +13,8 @@
 
 namespace rt::tools::lsp {
 
-/// What editors ask about the texts that are open. Each function takes the request's `params` and gives its `result`;
-/// it throws RequestError, or nlohmann::json::exception for params of another form.
+/// Requests about the open texts. Each function takes the request's `params` and returns its `result`; it throws
+/// RequestError, or nlohmann::json::exception for malformed params.
 class Answers {
 public:
   explicit Answers(Workspace& workspace);
@@ -33,7 +33,7 @@ public:
   nlohmann::json rename(const nlohmann::json& params);
 
 private:
-  /// A place of a text, in the scene that it is a part of.
+  /// A place of a text, in the scene that it is part of.
   struct Asked {
     Document& document;
     DocumentPlace place;

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// LSP 3.17, "DiagnosticSeverity": 1 error, 2 warning, 4 hint. A note says what was assumed, and wants no mending.
+// LSP 3.17, "DiagnosticSeverity": 1 error, 2 warning, 4 hint. A note reports an assumption, and requires no fix.
 int severity(lang::Severity severity) {
   switch (severity) {
   case lang::Severity::error:
@@ -49,7 +49,7 @@ void collect(const Workspace& workspace, const Document& scene, const lang::Load
   for (const auto* list : {&loaded.diagnostics, &loaded.remarks}) {
     for (lang::Diagnostic d : *list) {
       std::optional<std::string> uri = workspace.uri_of(loaded.sources.file(d.span.file));
-      if (!uri) { // it is shown where the scene begins
+      if (!uri) { // it is shown at the start of the scene
         d.message = fmt::format("{}: {}", loaded.sources.file(d.span.file).name, d.message);
         d.span = {};
         uri = scene.uri;

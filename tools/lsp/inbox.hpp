@@ -13,8 +13,8 @@
 
 namespace rt::tools::lsp {
 
-/// The messages of a client, read by a thread of its own: so it is known while the server works that something new has
-/// come, and that an answer is no longer wanted.
+/// The messages of a client, read by a separate thread: so the server learns while it works that there is something
+/// new, or that an answer is no longer wanted.
 class Inbox {
 public:
   explicit Inbox(int file);
@@ -22,16 +22,16 @@ public:
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
-  /// The next message, waited for; discarded JSON for what is none. Nothing after `exit`, or at the end of the input.
+  /// Waits for the next message; discarded JSON if it is malformed. Nothing after `exit`, or at the end of the input.
   std::optional<nlohmann::json> next();
-  /// Whether the client has cancelled this request, which is then forgotten.
+  /// Whether the client has cancelled this request; the cancellation is then forgotten.
   bool take_cancelled(const nlohmann::json& id);
 
-  /// Nothing is waiting. Until something comes, `has_news` is false.
+  /// Nothing is waiting. Until a message arrives, `has_news` is false.
   bool is_quiet();
   const std::atomic<bool>& has_news() const { return has_news_; }
 
-  /// The input ends where this process does, too.
+  /// The input also ends when this process does.
   void end_with(int process) { process_ = process; }
 
 private:

@@ -6,7 +6,7 @@
 namespace rt::tools::lsp {
 namespace {
 
-// With their ends.
+// Including their line endings.
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -17,7 +17,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-// Beyond that many pairs of lines, what differs is one edit.
+// With more pairs of lines than this, the difference is a single edit.
 constexpr std::size_t most_pairs = 4'000'000;
 
 // The longest common subsequence of lines (Wagner and Fischer, The String-to-String Correction Problem, 1974), forwards

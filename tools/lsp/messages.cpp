@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t longest_message = std::size_t{1} << 28;
 constexpr std::size_t longest_header = std::size_t{1} << 16;
-constexpr int pause = 200; // milliseconds between two looks at whether it is over
+constexpr int pause = 200; // milliseconds between two polls of `is_over_`
 
-// The number behind "Content-Length:", in whatever case, at the line's beginning or anywhere in it. Nothing where
-// there is none, or where it is none that a message has.
+// The number after "Content-Length:", in any case, at the start of the line or anywhere in it. Nothing if there is
+// none, or it is not a valid length.
 std::optional<std::size_t> content_length(std::string_view line, bool anywhere) {
   constexpr std::string_view name = "content-length:";
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -62,7 +62,7 @@ std::optional<std::string> MessageReader::line() {
       buffer_.erase(0, end + 1);
       return found;
     }
-    if (buffer_.size() > longest_header) { // no header: of its end, the next one's beginning may be part
+    if (buffer_.size() > longest_header) { // not a header: its end may be the beginning of the next one
       is_lost_ = true;
       buffer_.erase(0, buffer_.size() - 64);
     }

@@ -9,15 +9,15 @@
 
 namespace rt::tools::lsp {
 
-/// Reads messages as the base protocol frames them: header lines, of which Content-Length counts, an empty line, and so
+/// Reads messages as framed by the base protocol: header lines, of which Content-Length counts, an empty line, and that
 /// many bytes.
 class MessageReader {
 public:
-  /// `is_over` is asked now and then while nothing comes.
+  /// `is_over` is polled while nothing arrives.
   MessageReader(int file, std::function<bool()> is_over) : file_(file), is_over_(std::move(is_over)) {}
 
-  /// The next message's bytes, or nothing at the end of the input, be it in the middle of a message. Empty for a header
-  /// that does not say how long the message is; what follows is searched for the next one that does.
+  /// The next message's bytes, or nothing at the end of the input, even in the middle of a message. Empty for a header
+  /// without a valid length; the following input is searched for the next valid one.
   std::optional<std::string> next();
 
 private:
@@ -26,11 +26,11 @@ private:
 
   int file_;
   std::function<bool()> is_over_;
-  std::string buffer_; // what was read and not yet given
+  std::string buffer_; // read but not yet returned
   bool is_lost_ = false;
 };
 
-/// A message with its header. What is no UTF-8 in it becomes U+FFFD.
+/// A message with its header. Invalid UTF-8 in it becomes U+FFFD.
 std::string framed(const nlohmann::json& message);
 
 } // namespace rt::tools::lsp

@@ -19,7 +19,7 @@ bool is_name(std::string_view word) {
          !lang::is_reserved(lang::classify(word));
 }
 
-// What names a file: its path, or the name of a text that is none.
+// What identifies a file: its path, or the name of a text that has none.
 std::string key(const lang::SourceFile& file) {
   return file.path.empty() ? file.name : file.path;
 }
@@ -28,8 +28,8 @@ bool is_before(const lang::Span& a, const lang::Span& b) {
   return std::pair(a.file, a.begin) < std::pair(b.file, b.begin);
 }
 
-// All places that name the same in the scene's texts. A text that is included twice declares its names twice, and
-// stands only once on the disk: what the one means changes with the other. Places are those of its first file.
+// All places in the scene's texts that refer to the same thing. A text that is included twice declares its names twice,
+// but exists only once on disk: the two change together. Places are those of its first file.
 class Namesakes {
 public:
   explicit Namesakes(const lang::Analysis& analysis) : program_(*analysis.program) {
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  // Notes what the same place of the text names where it is included again.
+  // Records what the same place of the text refers to where it is included again.
   lang::Span first_of(lang::Span span) {
     const std::vector<lang::FileId>& same = files_.at(key(program_.sources.file(span.file)));
     for (const lang::FileId file : same) {
@@ -65,7 +65,7 @@ private:
   std::vector<lang::DeclarationId> names_;
 };
 
-// Nothing where none of the scene's own names stands there.
+// Nothing if there is none of the scene's own names.
 std::optional<lang::DeclarationId> declaration_at(const lang::Analysis& analysis, lang::FileId file,
                                                   std::uint32_t offset) {
   const lang::Reference* reference = analysis.program->references.at(file, offset);
@@ -73,11 +73,11 @@ std::optional<lang::DeclarationId> declaration_at(const lang::Analysis& analysis
   return name ? std::optional(*name) : std::nullopt;
 }
 
-// The texts with the new name in these places, by their keys.
+// The texts with the new name in these places, by key.
 std::vector<std::pair<std::string, std::string>>
 renamed(const lang::SourceMap& sources, const std::vector<lang::Span>& places, const std::string& name) {
   std::vector<std::pair<std::string, std::string>> texts;
-  for (auto span = places.rbegin(); span != places.rend(); ++span) { // from the end, so that offsets hold
+  for (auto span = places.rbegin(); span != places.rend(); ++span) { // from the end, so that offsets stay valid
     const lang::SourceFile& file = sources.file(span->file);
     if (texts.empty() || texts.back().first != key(file)) texts.emplace_back(key(file), file.text);
     texts.back().second.replace(span->begin, span->end - span->begin, name);
@@ -87,7 +87,7 @@ renamed(const lang::SourceMap& sources, const std::vector<lang::Span>& places, c
 
 } // namespace
 
-// The name at the place, if a text that can be changed declares it.
+// The name at the place, if it is declared in a text that can be changed.
 lang::Span Answers::renamable(const Asked& at) const {
   const auto name = declaration_at(*at.place.analysis, at.place.file, at.offset);
   if (!name) throw RequestError(ErrorCode::request_failed, "no name of the scene's own stands here");
@@ -121,8 +121,8 @@ json Answers::rename(const json& params) {
   return {{"changes", std::move(changes)}};
 }
 
-// With the new name there are as many mistakes, and the same places name the same: none of it is another's, or hides
-// one.
+// With the new name the number of errors is the same, and the same places refer to the same thing: none of them is
+// captured by or shadows another name.
 void Answers::require_same_meaning(const Asked& at, const std::vector<lang::Span>& places, const std::string& name) {
   const lang::Analysis& before = *at.place.analysis;
   const lang::Analysis after = workspace_.analyse_with(at.place, renamed(before.program->sources, places, name));

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-// A member of nested objects; null where one of them is missing.
+// A member of nested objects; null if one of them is missing.
 json member(const json& object, std::initializer_list<const char*> path) {
   const json* at = &object;
   for (const char* name : path) {
@@ -139,7 +139,7 @@ void Server::notify(std::string_view method, const json& params) {
       workspace_.forget();
       is_outdated_ = true;
     }
-  } catch (const std::exception& error) { // there is no answer in which to say so
+  } catch (const std::exception& error) { // there is no response in which to report it
     log(fmt::format("{}: {}", method, error.what()));
   }
 }
@@ -151,7 +151,7 @@ void Server::log(std::string_view text) {
          {"params", {{"type", 1}, {"message", fmt::format("rtlang: {}", text)}}}});
 }
 
-// Included files change on the disk, too.
+// Included files may change on disk, too.
 void Server::initialized() {
   if (!watches_files_) return;
   send_({{"jsonrpc", "2.0"},

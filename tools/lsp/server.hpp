@@ -20,21 +20,21 @@ namespace rt::tools::lsp {
 class Server {
 public:
   using Send = std::function<void(const nlohmann::json& message)>;
-  /// `is_cancelled` is asked once for each request, with its id.
+  /// `is_cancelled` is called once for each request, with its id.
   Server(std::vector<std::string> include_roots, Send send, std::function<bool(const nlohmann::json& id)> is_cancelled);
 
-  /// Acts on a message of the client's, whatever it is, and sends what it is answered.
+  /// Handles any message from the client, and sends the response.
   void handle(const nlohmann::json& message);
-  /// Sends the diagnostics that have changed since they were last sent. Gives up where `stop` is set meanwhile: then
-  /// `has_work` stays true.
+  /// Sends the diagnostics that have changed since the last call. Gives up if `stop` is set meanwhile: then `has_work`
+  /// stays true.
   void publish(const std::atomic<bool>& stop);
   bool has_work() const { return state_ == State::running && is_outdated_; }
 
-  /// The client's process, once it has said so; 0 before, or where it has none.
+  /// The client's process, once known; 0 before, or if it has none.
   int client_process() const { return client_process_; }
-  /// What the program ends with, once the client has asked it to.
+  /// The exit code, once the client has asked the server to exit.
   std::optional<int> exit_code() const { return exit_code_; }
-  /// The same where the client is gone without a word.
+  /// The exit code if the client disappears without asking.
   int exit_code_at_end() const { return state_ == State::shut_down ? 0 : 1; }
 
 private:
@@ -59,7 +59,7 @@ private:
   Send send_;
   std::function<bool(const nlohmann::json& id)> is_cancelled_;
   State state_ = State::uninitialized;
-  bool watches_files_ = false; // the client can be asked to tell of files that change
+  bool watches_files_ = false; // the client can report file changes
   bool is_outdated_ = false;
   std::map<std::string, nlohmann::json> published_; // by URI
   int client_process_ = 0;
@@ -67,11 +67,11 @@ private:
 };
 
 struct ServerOptions {
-  std::vector<std::string> include_roots; ///< folders beyond a scene's own that it may read from
+  std::vector<std::string> include_roots; ///< folders besides a scene's own that it may read from
 };
 
-/// Serves the client at standard input and output until it is gone. The result is the exit code: 0 after `shutdown`,
-/// else 1.
+/// Serves the client on standard input and output until it disconnects. The result is the exit code: 0 after
+/// `shutdown`, else 1.
 int run_server(const ServerOptions& options);
 
 } // namespace rt::tools::lsp

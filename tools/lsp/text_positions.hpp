@@ -7,10 +7,10 @@
 
 namespace rt::tools::lsp {
 
-/// What a position's character counts: bytes, or 16-bit units of UTF-16 (LSP 3.17, "PositionEncodingKind").
+/// The unit of a position's character: bytes, or 16-bit units of UTF-16 (LSP 3.17, "PositionEncodingKind").
 enum class PositionEncoding : std::uint8_t { utf8, utf16 };
 
-/// A place between two characters. Lines and characters count from 0.
+/// A place between two characters. Lines and characters are counted from 0.
 struct TextPosition {
   std::uint32_t line = 0, character = 0;
 };
@@ -20,7 +20,7 @@ class LineTable {
 public:
   explicit LineTable(std::string_view text);
 
-  /// Of a byte offset; what lies beyond the text is its end.
+  /// The position of a byte offset; clamped to the end of the text.
   TextPosition position(std::size_t offset, PositionEncoding encoding) const;
   /// The byte offset. A character beyond its line is the line's end, a line beyond the last the text's, and the middle
   /// of a character its beginning.

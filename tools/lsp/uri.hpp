@@ -7,10 +7,10 @@
 
 namespace rt::tools::lsp {
 
-/// "file:///tmp/a%20b.rtl" of an absolute path (RFC 8089).
+/// "file:///tmp/a%20b.rtl" for an absolute path (RFC 8089).
 std::string file_uri(const std::filesystem::path& path);
 
-/// The path that a URI names; nothing where it names no file of this machine, as "untitled:Untitled-1" does.
+/// The path that a URI names; nothing if it is not a file on this machine, such as "untitled:Untitled-1".
 std::optional<std::filesystem::path> file_path(std::string_view uri);
 
 } // namespace rt::tools::lsp

@@ -14,7 +14,7 @@ TextPosition position_from(const nlohmann::json& position) {
   return {position.at("line").get<std::uint32_t>(), position.at("character").get<std::uint32_t>()};
 }
 
-// The text of that path, but for the scene's own; nothing where it is not among them.
+// The text of that path, other than the scene's own; nothing if there is none.
 std::optional<lang::FileId> find_part(const lang::SourceMap& sources, const std::string& path) {
   if (path.empty()) return std::nullopt;
   for (lang::FileId file = 1; file < sources.size(); ++file)
@@ -66,7 +66,7 @@ void Workspace::forget() {
   for (const auto& document : documents_) document->analysis.reset(), document->loaded.reset();
 }
 
-// The scenes that the document is a part of.
+// The scenes that the document is part of.
 void Workspace::forget_texts_of(const Document& document) {
   for (const auto& other : documents_) {
     const bool is_part = other.get() == &document ||
@@ -142,7 +142,7 @@ std::vector<Document*> Workspace::scenes() {
   for (const auto& document : documents_)
     if (std::ranges::none_of(documents_, [&](const auto& other) { return includes(*other, *document); }))
       found.push_back(document.get());
-  for (const auto& document : documents_) // what is left stands in circles
+  for (const auto& document : documents_) // the rest are in cycles
     if (std::ranges::find(found, document.get()) == found.end() &&
         std::ranges::none_of(found, [&](Document* scene) { return includes(*scene, *document); }))
       found.push_back(document.get());
@@ -159,7 +159,7 @@ const lang::Loaded* Workspace::load(Document& document, const std::atomic<bool>&
   lang::Loaded loaded = document.path.empty() ? lang::load_text(document.text, document.uri, folder_, options)
                                               : lang::load_file(document.path, options);
   if (stop) return nullptr;
-  loaded.scene.reset(); // only what it says counts
+  loaded.scene.reset(); // only its diagnostics matter
   return &document.loaded.emplace(std::move(loaded));
 }
 

@@ -14,10 +14,10 @@
 
 namespace rt::tools::lsp {
 
-/// A text that the editor shows, and what is known of it as a scene of its own.
+/// A text open in the editor, and what is known about it as a scene of its own.
 struct Document {
   std::string uri;  ///< as the client writes it
-  std::string path; ///< canonical; empty where it is no file
+  std::string path; ///< canonical; empty if it is not a file
   std::int64_t version = 0;
   std::string text;
   std::optional<lang::Analysis> analysis;
@@ -30,39 +30,39 @@ struct DocumentPlace {
   lang::FileId file;
 };
 
-/// The texts that are open in an editor, over the files on the disk.
+/// The texts that are open in an editor, overriding the files on disk.
 class Workspace {
 public:
   explicit Workspace(std::vector<std::string> include_roots);
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  /// Where relative paths in texts that are no files start from.
+  /// What relative paths in texts that are not files are resolved against.
   void set_folder(const std::string& folder) { folder_ = folder; }
   void open(const std::string& uri, std::int64_t version, std::string text);
-  /// One entry of `contentChanges`: a new text, or a part of the old one and what stands there now. Throws
-  /// nlohmann::json::exception for what is neither.
+  /// Applies one entry of `contentChanges`: a new text, or a range of the old one and its replacement. Throws
+  /// nlohmann::json::exception for anything else.
   void change(Document& document, std::int64_t version, const nlohmann::json& change, PositionEncoding encoding);
   void close(std::string_view uri);
-  /// Files on the disk may have changed: nothing that was derived from them is known any longer.
+  /// Files on disk may have changed: discards everything derived from them.
   void forget();
 
-  /// Null where it is not open.
+  /// Null if it is not open.
   Document* find(std::string_view uri);
   const std::vector<std::unique_ptr<Document>>& documents() const { return documents_; }
   const lang::FileSystem& files() const { return files_; }
-  /// As the client writes it, where it is open.
+  /// As the client writes it, if it is open.
   std::string uri_of(const std::string& path) const;
-  /// Of a file of a scene. Nothing for texts that are no files.
+  /// For a file of a scene. Nothing for texts that are not files.
   std::optional<std::string> uri_of(const lang::SourceFile& file) const;
 
   /// The document in the scene that it is part of: that of an open text that includes it, else its own.
   DocumentPlace place_of(Document& document);
-  /// The documents that no other one includes, at least one of each circle.
+  /// The documents that no other one includes, at least one of each cycle.
   std::vector<Document*> scenes();
-  /// What loading the document as a scene has to say, lint included. Null where `stop` was set meanwhile.
+  /// The diagnostics of loading the document as a scene, lint included. Null if `stop` was set meanwhile.
   const lang::Loaded* load(Document& document, const std::atomic<bool>& stop);
-  /// The analysis of the document's scene with other texts in the place of some files.
+  /// The analysis of the document's scene with some files replaced by other texts.
   lang::Analysis analyse_with(const DocumentPlace& place,
                               const std::vector<std::pair<std::string, std::string>>& texts);
 

@@ -9,8 +9,8 @@
 namespace rt::tools::oracle {
 
 /// Random numbers for scenes. So that they are the same with every compiler, no two are drawn in the arguments of one
-/// call or on both sides of an operator: there g++ drew the last first, and what is drawn backwards now is so that the
-/// scenes of the long runs keep their numbers.
+/// call or on both sides of an operator: there g++ drew the last first, and what is now drawn backwards preserves the
+/// scenes of the long runs.
 class Dice : public SplitMix64 {
 public:
   using SplitMix64::SplitMix64;
@@ -19,7 +19,7 @@ public:
   int below(int count) { return static_cast<int>(unit() * count); }
   bool chance(double probability) { return unit() < probability; }
   double sign() { return chance(0.5) ? 1 : -1; }
-  /// Of a scaling: one in ten mirrors.
+  /// For a scaling: one in ten mirrors.
   double factor(double low, double high) {
     const double size = between(low, high);
     return chance(0.1) ? -size : size;
@@ -31,23 +31,23 @@ public:
   /// The same in the scene's unit of length.
   double length(double low, double high) { return length_unit * between(low, high); }
   Vec3 point(double low, double high) { return vector(low, high) * length_unit; }
-  /// Evenly spread over the unit sphere.
+  /// Uniform over the unit sphere.
   Vec3 direction() {
     Vec3 v;
     do v = vector(-1, 1);
     while (dot(v, v) > 1 || dot(v, v) < 0.01);
     return normalize(v);
   }
-  /// The same, of another length.
+  /// The same, with a random length.
   Vec3 arrow(double shortest, double longest) {
     const double size = between(shortest, longest);
     return direction() * size;
   }
 
-  double length_unit = 1; ///< in the scene's lengths
+  double length_unit = 1; ///< in scene units
 };
 
-/// The seed of the `index`-th scene of a run, unrelated to its neighbours'.
+/// The seed of the `index`-th scene of a run, independent of its neighbours'.
 inline std::uint64_t scene_seed(std::uint64_t run_seed, std::uint64_t index) {
   return Dice(Dice(run_seed).bits() ^ (index * 0xd1342543de82ef95)).bits();
 }

@@ -5,7 +5,7 @@
 namespace rt::tools::oracle {
 namespace {
 
-// Everything but what the scene is about.
+// Everything but the subject of the scene.
 constexpr std::string_view stage = R"(size: [64, 48]
 background: #334b66
 ambient: 0.15

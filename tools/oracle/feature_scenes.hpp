@@ -5,7 +5,7 @@
 
 namespace rt::tools::oracle {
 
-/// A small scene that shows one thing the language has.
+/// A small scene that shows one feature of the language.
 struct FeatureScene {
   std::string name; ///< also a file's name
   std::string text;

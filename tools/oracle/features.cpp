@@ -16,7 +16,7 @@ bool same(const FieldValue& a, const FieldValue& b) {
   return a == b;
 }
 
-// What is not a property: found by looking.
+// Features that are not properties: found by inspection.
 const std::vector<std::string> structures{"group",
                                           "union",
                                           "intersection",

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-/// Which parts of the language scenes use, read off their descriptions: not what a generator meant to write, but what
-/// came out of it.
+/// Which features of the language scenes use, read off their descriptions: not what a generator intended, but what it
+/// produced.
 namespace rt::tools::oracle {
 
-/// The names of all features, in a fixed order. Every property of every description type is one (where it has not its
-/// default value), so that a new one is noticed.
+/// The names of all features, in a fixed order. Every property of every description type is one (if it does not have
+/// its default value), so that a new one is noticed.
 std::vector<std::string> feature_names();
 
-/// The numbers of the features of a scene, each once, ascending.
+/// The indices of the features of a scene, each once, ascending.
 std::vector<std::size_t> features_of(const scene::Scene& scene);
 
 /// How often each feature and each pair of features occurred.
@@ -29,7 +29,7 @@ public:
   std::uint64_t count(std::size_t a, std::size_t b) const { return pairs_[a * names_.size() + b]; }
   /// Of those that must occur in this kind of run: `without` are prefixes of names that need not.
   std::vector<std::string> missing(const std::vector<std::string>& without = {}) const;
-  /// A line for each feature with its count, and how the pairs were met; with `all_pairs` a line for each of them too.
+  /// A line for each feature with its count, and how the pairs occurred; with `all_pairs` also a line for each of them.
   std::string report(bool all_pairs) const;
 
 private:

@@ -26,7 +26,7 @@ Vec3 against(const Vec3& normal, const Vec3& direction) {
   return dot(n, direction) > 0 ? -n : n;
 }
 
-// From outside towards the middle, or from somewhere in it.
+// From outside towards the centre, or from somewhere inside.
 std::vector<Ray> random_rays(std::uint64_t seed, int count) {
   Dice scene(seed), dice(seed ^ 0x5261797321);
   dice.length_unit = random_length_unit(scene);

@@ -108,7 +108,7 @@ std::string write_index(const GoldenIndex& index) {
 
 povray::Gates golden_gates() {
   povray::Gates gates;
-  gates.color = 1.001 / 65535; // a count, with the rounding of floats
+  gates.color = 1.001 / 65535; // one count, plus the rounding of floats
   return gates;
 }
 

@@ -5,28 +5,28 @@
 #include <map>
 #include <string>
 
-/// Small pictures that POV-Ray made once, kept with the tests, so that ours are compared with them also where there is
-/// no POV-Ray.
+/// Small pictures that POV-Ray rendered once, kept with the tests, so that ours are compared with them even without
+/// POV-Ray.
 namespace rt::tools::oracle {
 
-/// Of the texts that POV-Ray gets: another one means that a kept picture is out of date. 16 hexadecimal digits.
+/// Of the input given to POV-Ray: a different one means that a golden is out of date. 16 hexadecimal digits.
 std::string export_hash(const scene::Scene& scene);
 
-/// A picture's shots as one PNG file of 16 linear bits: the colours, below them the objects' numbers, below them the
-/// distances, as POV-Ray packs both (`povray::decode_id`, `povray::decode_depth`). Throws std::runtime_error.
+/// A picture's shots as one PNG file of 16 linear bits: the colours, below them the object ids, below them the
+/// distances, both as POV-Ray packs them (`povray::decode_id`, `povray::decode_depth`). Throws std::runtime_error.
 std::string encode_golden(const povray::Shots& shots);
-/// Normals are not kept. `name` is for messages. Throws std::runtime_error for what is no such file.
+/// Normals are not kept. `name` is for messages. Throws std::runtime_error if it is not such a file.
 povray::Shots decode_golden(const std::string& bytes, const std::string& name);
 
-/// The hashes of the kept pictures' exports by their names, a line each: `name hash`.
+/// The export hash of each golden by name, a line each: `name hash`.
 using GoldenIndex = std::map<std::string, std::string>;
 GoldenIndex read_index(const std::string& text);
 std::string write_index(const GoldenIndex& index);
 
-/// Distances to 1e-9, colours to one count of 16 bits, every other pixel explained. How many pixels have to be equal is
-/// a question to all pictures together: 99.99 %.
+/// Distances to 1e-9, colours to one count of 16 bits, every other pixel explained. How many pixels must be equal
+/// applies to all pictures together: 99.99 %.
 povray::Gates golden_gates();
-/// Our picture of the scene, in the kept one's size, against the kept one.
+/// Renders the scene at the golden's size and compares it with the golden.
 povray::Comparison compare_with_golden(const scene::Scene& scene, const povray::Shots& golden);
 
 } // namespace rt::tools::oracle

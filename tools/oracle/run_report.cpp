@@ -8,7 +8,7 @@ namespace {
 
 constexpr double least_equal = 0.9999, least_precise = 0.999, most_refused = 0.01;
 
-// What a run over shapes alone does not look at.
+// What a run over shapes alone does not cover.
 std::vector<std::string> not_looked_at(Mode mode) {
   if (mode == Mode::color) return {"scene.size", "spot.shadows"};
   std::vector<std::string> names{"material",    "pattern",         "light",          "fade",     "scene.",

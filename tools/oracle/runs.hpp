@@ -8,16 +8,16 @@
 #include <functional>
 #include <optional>
 
-/// Random scenes, many of them, against POV-Ray.
+/// Many random scenes, compared with POV-Ray.
 namespace rt::tools::oracle {
 
 struct RunSettings {
   std::uint64_t seed = 1;
-  std::size_t first = 0, scenes = 500; ///< numbers of the run's scenes; each has a seed of its own
-  int at_once = 64;                    ///< how many POV-Rays work at the same time
+  std::size_t first = 0, scenes = 500; ///< indices of the run's scenes; each has a seed of its own
+  int at_once = 64;                    ///< how many instances of POV-Ray run concurrently
   int width = 32, height = 24;         ///< of a picture
   int rays = 64;                       ///< for each scene's geometry
-  std::size_t keep_failures = 5;       ///< so many failing scenes are made small
+  std::size_t keep_failures = 5;       ///< how many failing scenes are minimised
   const std::atomic<bool>* stop = nullptr;
   std::function<void(std::size_t done)> on_progress;
 };
@@ -25,16 +25,16 @@ struct RunSettings {
 struct Failure {
   std::size_t scene = 0; ///< its number
   std::string what;      ///< one line
-  std::string text;      ///< the scene, as small as it could be made where `keep_failures` allowed that
+  std::string text;      ///< the scene, minimised if `keep_failures` allowed it
 };
 
-/// A scene that POV-Ray cannot compute exactly, as the exporter said: it is left out of the comparison.
+/// A scene that POV-Ray cannot compute exactly, according to the exporter: it is not compared.
 struct Refusal {
   std::size_t scene = 0;
   std::string why;
 };
 
-/// A pixel of another colour that has an explanation.
+/// A pixel with a different colour that has an explanation.
 struct Explained {
   std::size_t scene = 0;
   povray::Outlier pixel;
@@ -45,16 +45,16 @@ struct RunResult {
   std::size_t samples = 0; ///< pixels, or rays
   std::size_t depths = 0, depths_beyond_p999 = 0;
   double depth_max = 0, normal_max = 0;
-  std::size_t id_mismatches = 0; ///< another object, or a hit for a miss; explained ones too
+  std::size_t id_mismatches = 0; ///< a different object, or a hit instead of a miss; including explained ones
   std::size_t ids_unexplained = 0;
   std::size_t color_equal = 0, color_explained_by_limits = 0, color_explained_by_rounding = 0, color_unexplained = 0;
   double color_max = 0; ///< of the pixels without explanation
   Coverage coverage;
-  std::vector<Failure> failures;    ///< by the scene's number
+  std::vector<Failure> failures;    ///< by the scene's index
   std::vector<Refusal> refusals;    ///< the same
   std::vector<Explained> explained; ///< the same
 
-  /// Adds a scene that was compared, with what was found of its hits: a Comparison or a RunResult.
+  /// Adds a compared scene, with the counts of its hits: a Comparison or a RunResult.
   template <class Counts>
   void add_geometry(const Counts& one, const std::vector<std::size_t>& features) {
     ++scenes;
@@ -70,7 +70,7 @@ struct RunResult {
 
 /// Whole pictures: ids, distances, normals and colours.
 RunResult run_colors(const RunSettings& settings);
-/// Distances and normals along random rays, through POV-Ray's `trace`, many scenes in one run of it.
+/// Distances and normals along random rays, with POV-Ray's `trace`, many scenes per run.
 RunResult run_geometry(const RunSettings& settings);
 
 /// Why POV-Ray cannot compute the scene exactly; nothing if it can.
@@ -80,17 +80,17 @@ std::optional<std::string> refusal(const scene::Scene& scene);
 std::string report(const RunResult& result, Mode mode, bool all_pairs);
 /// A line for each pixel whose colour differs with an explanation.
 std::string list_explained(const RunResult& result);
-/// Whether all bounds hold, every feature occurred and no more than one scene in a hundred was refused.
+/// Whether all bounds are satisfied, every feature occurred and at most one scene in a hundred was refused.
 bool holds(const RunResult& result, Mode mode);
 
 /// The file of a run's scene.
 Block random_file(const RunSettings& settings, std::size_t number, Mode mode);
 
-/// Puts what a run found in the order of its scenes, and makes the first failures small.
+/// Sorts what a run found by scene, and minimises the first failures.
 void finish(RunResult& result, const RunSettings& settings, const std::function<void(Failure&)>& make_small);
 
-/// Makes the failing file as small as it can be while it loads, can be computed exactly by POV-Ray and `fails` in some
-/// way, not necessarily the same.
+/// Minimises the failing file, keeping it loadable, exactly computable by POV-Ray and failing in some way, not
+/// necessarily the same.
 void minimise(Failure& failure, const Block& file, const std::function<bool(scene::Scene&)>& fails);
 
 /// The description of a generated file. Throws std::runtime_error with the first diagnostic if it does not load.

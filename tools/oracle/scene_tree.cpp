@@ -27,7 +27,7 @@ private:
     for (const Block& thing : block.things) statement("", thing);
   }
 
-  // A block from the middle of a line on.
+  // A block that starts in the middle of a line.
   void statement(const std::string& before, const Block& block) {
     out_ += std::string(2 * depth_, ' ') + before;
     expression(block);
@@ -77,7 +77,7 @@ std::size_t size(const Block& block) {
   return n;
 }
 
-// Calls `emit` after each way of taking one part away from `block`, which is put back afterwards.
+// Calls `emit` after each way of removing one part from `block`, which is restored afterwards.
 void each_removal(Block& block, const std::function<void()>& emit) {
   const auto without = [&](auto& list, std::size_t i) {
     auto removed = std::move(list[i]);
@@ -88,7 +88,7 @@ void each_removal(Block& block, const std::function<void()>& emit) {
   const bool keeps_two = !block.operation.empty() && block.things.size() <= 2;
   for (std::size_t i = 0; i < block.things.size() && !keeps_two; ++i) without(block.things, i);
   for (std::size_t i = 0; i < block.things.size() && !block.is_definition; ++i) {
-    // A composite gives way to one of its parts.
+    // A composite is replaced by one of its parts.
     if (block.head.empty() && block.operation.empty()) break;
     Block part = block.things[i];
     std::swap(block, part);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// A scene file as a tree of parts that can be taken away one by one.
+/// A scene file as a tree of parts that can be removed one by one.
 namespace rt::tools::oracle {
 
 struct Block;
@@ -28,7 +28,7 @@ struct Block {
   std::vector<Block> things;
   std::vector<std::string> chain;
   std::string operation;
-  bool is_definition = false; ///< `name = …`, `def name() …`: names what others may need, places nothing
+  bool is_definition = false; ///< `name = …`, `def name() …`: may be needed by others, places nothing
 
   Block& set(std::string name, std::string text) {
     props.push_back({std::move(name), std::move(text), {}});
@@ -42,14 +42,14 @@ struct Block {
 
 std::string print(const Block& file);
 
-/// Numbers and vectors as they are written, in five digits.
+/// Numbers and vectors as written, with five digits.
 std::string text(double value);
 std::string text(const Vec3& v);
 
 /// All files that have one part less, larger parts first.
 std::vector<Block> smaller(const Block& file);
 
-/// The smallest file found by taking parts away from `file` for which `fails` still holds; calls it at most `tries`
+/// The smallest file found by removing parts of `file` for which `fails` still returns true; calls it at most `tries`
 /// times.
 Block minimise(Block file, const std::function<bool(const Block&)>& fails, int tries);
 

@@ -17,7 +17,7 @@ std::string text_of(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", format_number(v.x), format_number(v.y), format_number(v.z));
 }
 
-/// Of the kinds of values that a camera has; empty for others.
+/// For the kinds of values that a camera has; empty for others.
 std::string text_of(const scene::Field& field, const scene::FieldValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
   if (const auto* vector = std::get_if<Vec3>(&value)) return text_of(*vector);

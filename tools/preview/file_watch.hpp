@@ -7,17 +7,17 @@
 
 namespace rt::tools::preview {
 
-/// Notices when files are saved, however an editor does it: in place, by a new file that takes the old one's name, on a
-/// network's folder. It asks each time; so few files cost nothing.
+/// Notices when files are saved, however an editor does it: in place, by renaming a new file to the old name, on a
+/// network drive. It polls; for so few files that costs nothing.
 class FileWatch {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// From now on these files, as they are now.
+  /// From now on these files, in their current state.
   void follow(std::vector<std::filesystem::path> files);
 
-  /// Whether one of them has changed since this was last true. A file that is missing or empty is most likely being
-  /// written: that counts once it has stayed so for 300 ms.
+  /// Whether one of them has changed since this last returned true. A file that is missing or empty is most likely
+  /// being written: that counts once it has been so for 300 ms.
   bool has_changed(Clock::time_point now = Clock::now());
 
 private:

@@ -20,7 +20,7 @@ std::uint32_t argb(const Rgb32& color, const ToneCurve& curve, const SrgbQuantis
   return code;
 }
 
-/// Of `small` pixels that stand for `large` ones, where the i-th begins.
+/// When `small` pixels represent `large` ones: where the i-th begins.
 int scaled(int i, int small, int large) {
   return static_cast<int>(static_cast<long long>(i) * large / small);
 }
@@ -43,7 +43,7 @@ void Viewer::resize(scene::Resolution size) {
 }
 
 void Viewer::move(const scene::Camera& camera) {
-  if (check(camera)) return; // from there nothing can be looked at
+  if (check(camera)) return; // the camera would be invalid
   camera_ = camera;
   is_stale_ = true;
 }
@@ -140,7 +140,7 @@ std::optional<Film> Viewer::film() const {
   return film_;
 }
 
-// From where the scene's own camera stands it is a question about a pixel, else about a ray.
+// From the scene's own camera it is a question about a pixel, else about a ray.
 explain::Question Viewer::question(double x, double y) const {
   const bool is_own = size_ == document_->scene().size && is_same(camera_, document_->scene().camera);
   explain::Question question;

@@ -13,14 +13,14 @@
 
 namespace rt::tools::preview {
 
-/// A picture on its way to a screen: 0xffRRGGBB, row by row from the top left.
+/// A picture for a screen: 0xffRRGGBB, row by row from the top left.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint32_t> argb;
 };
 
-/// A scene as a window shows it: its picture as it grows, coarse at first, from a camera that may be moved, and answers
-/// about its places. It knows no window. All is called from one thread; the picture is made in others.
+/// A scene as a window shows it: its picture as it is rendered, coarse at first, from a movable camera, and answers
+/// about its points. It knows no window. Called from one thread; the picture is rendered in others.
 class Viewer {
 public:
   /// `on_change` is called, from any thread, when `take` has something new.
@@ -29,27 +29,27 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Shows this one from now on; it must have a scene. A camera that was moved by hand stays, unless the scene's own is
-  /// another than before.
+  /// Shows this document from now on; it must have a scene. A camera that was moved by hand stays, unless the scene's
+  /// own has changed.
   void show(std::unique_ptr<live::Document> document);
   /// The size of the picture, whatever the scene says; each side at least 1.
   void resize(scene::Resolution size);
   const scene::Camera& camera() const { return camera_; }
   void move(const scene::Camera& camera);
-  /// Back to the scene's own camera.
+  /// Returns to the scene's own camera.
   void reset_camera();
 
-  /// Begins the picture anew if what is to be seen has changed. While one moves on and on, each picture gets as far as
-  /// its coarse form.
+  /// Restarts the picture if the view has changed. During continuous movement, each picture gets as far as its coarse
+  /// version.
   void refresh();
-  /// The newest picture, if it is another than the last time.
+  /// The newest picture, if it differs from the last one taken.
   bool take(Pixels& pixels);
-  /// Of the picture that is being made, 0 to 1; 1 when it is whole.
+  /// Of the picture being rendered, 0 to 1; 1 when it is complete.
   double fraction() const;
-  /// The whole picture, once it is.
+  /// The complete picture, once it is finished.
   std::optional<Film> film() const;
 
-  /// What `rtlang probe` and `rtlang why` say of the place at a point of the picture, in pixels from its top left
+  /// What `rtlang probe` and `rtlang why` say about a point of the picture, in pixels from its top left
   /// corner.
   std::string probe(double x, double y);
   std::string why(double x, double y);
@@ -63,12 +63,12 @@ private:
   std::unique_ptr<live::Document> document_;
   scene::Camera camera_;
   scene::Resolution size_{1, 1};
-  bool is_stale_ = false; ///< what is to be seen has changed
+  bool is_stale_ = false; ///< the view has changed
 
   mutable std::mutex mutex_; // guards what follows
   Pixels pixels_;
   bool is_new_ = false;
-  bool has_coarse_ = true; ///< of the picture that is being made
+  bool has_coarse_ = true; ///< of the picture being rendered
   double fraction_ = 0;
   std::optional<Film> film_;
 

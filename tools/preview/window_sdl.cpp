@@ -52,13 +52,13 @@ public:
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// In pixels, of which a display of high density has more than its coordinates count.
+  /// In pixels, of which a high-density display has more than its coordinates indicate.
   scene::Resolution size() const {
     scene::Resolution size{1, 1};
     SDL_GetRendererOutputSize(renderer_, &size[0], &size[1]);
     return size;
   }
-  /// How many of them a coordinate of the mouse counts.
+  /// How many pixels one unit of a mouse coordinate is.
   double density() const {
     int width = 1;
     SDL_GetWindowSize(window_, &width, nullptr);
@@ -246,7 +246,7 @@ private:
     ask([this](double x, double y) { return viewer_.probe(x, y); });
   }
 
-  /// Tells the answer about the pixel under the pointer.
+  /// Prints the answer about the pixel under the pointer.
   template <class Answer>
   void ask(Answer&& answer) {
     int x = 0, y = 0;

@@ -29,7 +29,7 @@ std::optional<std::size_t> version_number_of(Shell& shell, std::string_view text
   return std::nullopt;
 }
 
-// Its name, or the numbers that stand for it.
+// Its name, or the numbers that refer to it.
 std::string label_of(const lang::ListedObject& object) {
   if (!object.name.empty()) return object.name;
   if (object.last_number > object.first_number) return fmt::format("{}-{}", object.first_number, object.last_number);
@@ -57,7 +57,7 @@ bool list(Shell& shell, std::string_view) {
   return true;
 }
 
-// The document as it would be saved, where someone looks on with the numbers of its lines.
+// The document as it would be saved, with line numbers in an interactive session.
 bool text(Shell& shell, std::string_view) {
   const std::string document = shell.session().formatted();
   if (!shell.options().is_interactive) {
@@ -86,7 +86,7 @@ bool explain_properties(Shell& shell, std::string_view name) {
   return true;
 }
 
-// What stands in the place of a value that was not given: what the property takes.
+// What to say if a value is missing: what the property takes.
 bool explain_target(Shell& shell, std::string_view target) {
   const lang::NodeType& scene = shell.session().program().types.scene();
   const std::size_t dot = target.find('.');
@@ -132,7 +132,7 @@ std::string where(const Shell& shell, lang::Session& session) {
          "\n";
 }
 
-// What a version did.
+// What changed in a version.
 std::string deed(Shell& shell, std::size_t version) {
   return shell.session().versions()[version].description;
 }
@@ -195,7 +195,7 @@ bool load(Shell& shell, std::string_view arguments) {
   return true;
 }
 
-// What the document includes is sought where it is saved.
+// The document's includes are looked up where it is saved.
 void warn_of_includes(Shell& shell, const std::string& path, const std::string& folder) {
   std::error_code error;
   const fs::path saved = fs::weakly_canonical(path, error).parent_path();

@@ -23,7 +23,7 @@
 namespace rt::tools {
 namespace {
 
-// What a question is answered with.
+// The result of a question.
 struct Reply {
   std::string text;
   bool is_fine = true;
@@ -36,8 +36,8 @@ std::string without_notes(const live::Document& document, bool use_color) {
   return text;
 }
 
-// Asks about the document as it would be saved; `ask` may take long, until `stop`. Nothing where an answer cannot be
-// had, which has been reported.
+// Asks about the document as it would be saved; `ask` may take long, until `stop`. Nothing if there is no answer, which
+// has been reported.
 template <class Ask>
 std::optional<Reply> reply_of(Shell& shell, const live::PictureSettings& settings, const Ask& ask) {
   const InterruptScope interrupt;
@@ -115,7 +115,7 @@ bool why(Shell& shell, std::string_view arguments) {
   });
 }
 
-// Takes all of a command's arguments for options; true if they are, else it has been reported.
+// Parses all of a command's arguments as options; false after an error, which has been reported.
 bool read_options(Shell& shell, std::string_view arguments, std::vector<CommandOption> options,
                   live::PictureSettings& settings) {
   const std::vector<CommandOption> picture = picture_options(settings);
@@ -190,7 +190,7 @@ bool export_scene(Shell& shell, std::string_view arguments) {
   });
 }
 
-// A name of the document, with what it stands for.
+// A name of the document, with what it refers to.
 std::string describe_own(Shell& shell, std::string_view name) {
   const std::string text = shell.session().text_of(name);
   if (text.empty()) return "";

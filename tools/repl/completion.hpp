@@ -9,7 +9,7 @@ namespace rt::tools {
 
 class Shell;
 
-/// What could stand before the cursor: commands and their arguments after a colon, else whatever the language and the
+/// The completions at the cursor: commands and their arguments after a colon, else whatever the language and the
 /// session's names allow there.
 Completion complete(Shell& shell, std::string_view text, std::size_t cursor);
 

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A journal is this line, the working folder, and for each entry its length in bytes, a newline, and the entry with a
-// newline. An entry that is not whole (the program was killed while it wrote) does not count.
+// newline. An incomplete entry (the program was killed while writing it) does not count.
 constexpr std::string_view header = "rtlang journal 1\n";
 constexpr std::string_view extension = ".journal";
 constexpr std::size_t most_abandoned = 9;

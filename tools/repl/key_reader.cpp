@@ -23,7 +23,7 @@ std::size_t length_of_utf8(unsigned char first) {
   return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
 }
 
-// Of what a terminal says about itself, ESC [ ? numbers c, at the beginning of the text.
+// The length of a terminal's reply, ESC [ ? numbers c, at the beginning of the text.
 std::size_t length_of_answer(std::string_view text) {
   if (text.substr(0, 3) != "\x1b[?") return 0;
   const std::size_t end = text.find_first_not_of("0123456789;", 3);
@@ -108,7 +108,7 @@ Key KeyReader::escape() {
     std::string_view bytes;
     Key::Kind kind;
   };
-  if (const std::size_t answer = length_of_answer(bytes_); answer > 0) { // one that came too late
+  if (const std::size_t answer = length_of_answer(bytes_); answer > 0) { // one that arrived too late
     bytes_.erase(0, answer);
     return {.kind = Key::Kind::nothing};
   }
@@ -141,11 +141,11 @@ Key KeyReader::paste() {
   }
   Key key{.kind = Key::Kind::paste, .text = bytes_.substr(0, end)};
   bytes_.erase(0, end == std::string::npos ? end : end + paste_end.size());
-  // Terminals send the newlines of what is pasted as Enter.
+  // Terminals send the newlines of pasted text as Enter.
   std::string text;
   for (std::size_t i = 0; i < key.text.size(); ++i) {
     if (key.text[i] == '\t')
-      text += "  "; // libedit would show it at the wrong width
+      text += "  "; // libedit would show it with the wrong width
     else if (key.text[i] != '\r')
       text += key.text[i];
     else if (i + 1 == key.text.size() || key.text[i + 1] != '\n')

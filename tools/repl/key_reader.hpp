@@ -5,14 +5,14 @@
 
 namespace rt::tools {
 
-/// One thing that happened at the terminal.
+/// One event at the terminal.
 struct Key {
   enum class Kind {
-    character, ///< `code`; control characters too, and escape sequences other than those below one byte at a time
+    character, ///< `code`; also control characters, and escape sequences other than those below one byte at a time
     up,
     down,      ///< arrows
-    new_row,   ///< Alt and Enter
-    paste,     ///< `text`, of a terminal that marks what is pasted
+    new_row,   ///< Alt-Enter
+    paste,     ///< `text`, from a terminal that brackets pastes
     interrupt, ///< Ctrl-C
     end,       ///< the terminal is gone
     resize,
@@ -24,8 +24,8 @@ struct Key {
   std::string text = {};
 };
 
-/// Reads keys from standard input, a terminal that does not wait for whole lines. While it exists SIGINT and SIGWINCH
-/// are its events (`InterruptScope` overrules it for a time).
+/// Reads keys from standard input, a terminal not in line mode. During its lifetime SIGINT and SIGWINCH are its events
+/// (`InterruptScope` temporarily overrides it).
 class KeyReader {
 public:
   explicit KeyReader(int wake_fd);
@@ -33,22 +33,22 @@ public:
   KeyReader(const KeyReader&) = delete;
   KeyReader& operator=(const KeyReader&) = delete;
 
-  /// Waits for the next.
+  /// Waits for the next key.
   Key read();
-  /// Writes a question to the terminal and gives its answer, from ESC [ ? to `last`; empty where none comes in time.
-  /// What is typed meanwhile is kept.
+  /// Sends a query to the terminal and returns its reply, from ESC [ ? to `last`; empty if none arrives in time. What
+  /// is typed meanwhile is kept.
   std::string ask(std::string_view question, char last);
-  /// Whether more was typed than was read so far.
+  /// Whether more was typed than has been read so far.
   bool has_more() const;
 
 private:
-  bool fill(int timeout_ms); // false where nothing came
+  bool fill(int timeout_ms); // false if nothing arrived
   Key decode();
   Key escape();
   Key paste();
 
   int wake_fd_;
-  std::string bytes_; // read and not yet decoded
+  std::string bytes_; // read but not yet decoded
   bool is_at_end_ = false;
 };
 

@@ -21,14 +21,14 @@
 namespace rt::tools {
 namespace {
 
-// Keys that no one types, for what libedit is to do at our word.
+// Keys that cannot be typed, for actions that we trigger in libedit.
 enum PrivateKey : int {
   key_backspace = 0x08,
   key_enter = '\r',
   key_tab = '\t',
   key_interrupt_done = -1,
   key_end_of_line = 0x05,
-  key_quote = 0x16, // the next key is inserted as it is, also a newline
+  key_quote = 0x16, // the next key is inserted as it is, even a newline
   key_up = 0x1c,
   key_down = 0x1d,
   key_newline = 0x1e,
@@ -44,7 +44,7 @@ enum PrivateKey : int {
   key_start_over = 0x88,
 };
 
-constexpr std::size_t longest_line = 64 * 1024; // in bytes; a longer text cannot be edited, only pasted
+constexpr std::size_t longest_line = 64 * 1024; // in bytes; a longer text can only be pasted, not edited
 
 void write_all(std::string_view text) {
   std::fflush(stdout);
@@ -71,7 +71,7 @@ std::string common_start(const std::vector<std::string>& words) {
   return start;
 }
 
-// The prompt as libedit takes it, with \1 around what has no width, and its width.
+// The prompt in libedit's form, with \1 around what has no width, and its width.
 struct Prompt {
   std::string marked;
   int width = 0;
@@ -95,8 +95,8 @@ Prompt mark_invisible(std::string_view prompt) {
 
 } // namespace
 
-// Feeds libedit: what is typed, and in the place of Enter, Tab and the arrows whatever keys have the wanted effect.
-// libedit's callbacks carry no context, hence the one pointer.
+// Feeds libedit: what is typed, with Enter, Tab and the arrows replaced by keys that have the desired effect. libedit's
+// callbacks carry no context, hence the one pointer.
 class LineEditor::Keys {
 public:
   explicit Keys(LineEditorHooks hooks) : hooks_(std::move(hooks)), reader_(hooks_.wake_fd) {
@@ -145,11 +145,11 @@ private:
       rl_parse_and_bind(line);
   }
 
-  // libedit keeps a pointer to the line's bytes (`rl_line_buffer`, into which it also writes), and looks up where they
-  // are only when the line must grow. But each key may move them: what is encoded is all that ever stood in the line,
-  // up to its first NUL. So at first there are as many bytes as there can be, from the longest characters there are,
-  // and then, in an empty line, so many short ones that it must grow: the bytes' place that is looked up then is their
-  // last.
+  // libedit keeps a pointer to the line's bytes (`rl_line_buffer`, into which it also writes), and updates it
+  // only when the line must grow. But each key may move them: the encoded text is everything that was ever in the
+  // line, up to its first NUL. So at first the buffer is filled to its maximum, with the longest characters there
+  // are, and then, in an empty line, with so many short ones that it must grow: the address looked up then is
+  // final.
   static void reserve_bytes() {
     std::string filler;
     while (filler.size() < 4 * longest_line) filler += "\U0001f642";
@@ -177,9 +177,9 @@ private:
       type(static_cast<int>(c.code_point));
     }
   }
-  // A newline that is typed at the line's end libedit writes out like a letter, and from then on takes the cursor to be
-  // one row above where it is: the next time it draws the line, the row above stands there twice. So the newline is
-  // inserted in silence, and a blank that comes and goes makes libedit draw both rows.
+  // libedit echoes a newline typed at the line's end like a letter, and from then on believes the cursor to be one row
+  // above where it is: the next time it draws the line, the row above appears twice. So the newline is inserted without
+  // echo, and a blank that is added and removed makes libedit draw both rows.
   void begin_row() {
     type(key_newline);
     type(' ');
@@ -238,7 +238,7 @@ private:
     }
   }
 
-  // A closing bracket on a row of its own stands below what it closes.
+  // A closing bracket on a row of its own is aligned with what it closes.
   bool closes_row() const {
     if (reader_.has_more() || !queue_.empty()) return false;
     const std::string_view before = text().substr(0, cursor());
@@ -249,7 +249,7 @@ private:
   }
   bool is_at_end_of_row() const { return cursor() == text().size() || text()[cursor()] == '\n'; }
 
-  // What fits the screen goes into the line, to be looked at and edited; more than that is taken as it is.
+  // What fits on the screen goes into the line, where it can be edited; longer text is accepted as it is.
   void take_pasted(std::string_view pasted) {
     while (!pasted.empty() && (pasted.back() == '\n' || pasted.back() == ' ')) pasted.remove_suffix(1);
     const auto rows = std::count(pasted.begin(), pasted.end(), '\n');
@@ -266,8 +266,8 @@ private:
     if (!above_.empty()) type(key_redraw);
   }
 
-  // The prompt and the line again, after what is to stand above them. Only a function that is bound to a key knows
-  // where the cursor is.
+  // Redraws the prompt and the line, below what is printed above them. Only a function bound to a key knows where the
+  // cursor is.
   int redraw() {
     const int rows = rows_above(text().substr(0, cursor()), prompt_width_, terminal_size().columns);
     write_all((rows > 0 ? fmt::format("\x1b[{}A", rows) : "") + "\r\x1b[J" + std::exchange(above_, ""));
@@ -312,7 +312,7 @@ private:
   int close(int bracket) {
     std::vector<int> keys{key_quote, bracket};
     if (closes_row()) keys = {key_backspace, key_backspace, key_quote, bracket};
-    queue_.insert(queue_.begin(), keys.begin(), keys.end()); // before the rest of what is pasted
+    queue_.insert(queue_.begin(), keys.begin(), keys.end()); // before the rest of the pasted text
     return 0;
   }
 
@@ -329,7 +329,7 @@ private:
   KeyReader reader_;
   std::deque<int> queue_;
   int prompt_width_ = 0;
-  std::string above_; // what the next drawing puts above the prompt
+  std::string above_; // what the next redraw prints above the prompt
   bool has_reserved_ = false;
   std::optional<std::string> paste_;
   End end_ = End::end_of_input;

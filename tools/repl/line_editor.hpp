@@ -9,15 +9,15 @@
 
 namespace rt::tools {
 
-/// What could stand in the place of the word before the cursor.
+/// The possible completions of the word before the cursor.
 struct Completion {
   std::size_t begin = 0;          ///< where that word begins in the text, in bytes
   std::vector<std::string> words; ///< whole words, in the order in which they are shown
 };
 
-/// What the editor asks its owner while a line is typed.
+/// The editor's callbacks while a line is typed.
 struct LineEditorHooks {
-  /// Whether Enter accepts the text; otherwise it begins another line of it.
+  /// Whether Enter accepts the text; otherwise it starts a new line of it.
   std::function<bool(std::string_view text)> is_complete;
   std::function<Completion(std::string_view text, std::size_t cursor)> complete;
   /// Before every key.
@@ -29,7 +29,7 @@ struct LineEditorHooks {
 };
 
 /// Lines typed at a terminal, edited with the usual keys, with history and completion; a line may be several rows of
-/// text. At most one editor exists at a time: libedit's readline interface keeps its state in globals.
+/// text. At most one editor may exist at a time: libedit's readline interface keeps its state in globals.
 class LineEditor {
 public:
   enum class End { line, interrupted, end_of_input };
@@ -38,17 +38,17 @@ public:
     std::string text; ///< without the final newline
   };
 
-  /// Takes standard input and output, which must be a terminal. History is read from `history_path` (empty: none) and
-  /// each line is added to it as soon as it is accepted, so that a killed program loses none.
+  /// Takes over standard input and output, which must be a terminal. History is read from `history_path` (empty: none)
+  /// and each line is appended as soon as it is accepted, so that a killed program loses none.
   LineEditor(LineEditorHooks hooks, std::string history_path);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// Asks the terminal about itself (see `KeyReader::ask`).
+  /// Queries the terminal (see `KeyReader::ask`).
   std::string ask(std::string_view question, char last);
 
-  /// `prompt` may hold escape sequences of colour (ESC [ … m).
+  /// `prompt` may contain escape sequences for colour (ESC [ … m).
   Line read(std::string_view prompt);
 
 private:

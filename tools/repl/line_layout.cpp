@@ -29,7 +29,7 @@ int rows_above(std::string_view text, int column, int columns) {
     const int width = lang::display_width(c.code_point);
     if (column + width > columns) next_row();
     column += width;
-    if (column == columns) next_row(); // where the next character will stand
+    if (column == columns) next_row(); // where the next character will be
   }
   return rows;
 }

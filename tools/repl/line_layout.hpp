@@ -5,20 +5,20 @@
 #include <string_view>
 #include <vector>
 
-/// How text stands on a terminal.
+/// The layout of text on a terminal.
 namespace rt::tools {
 
-/// The spaces to begin a new row with after `text`: two for every bracket that is open.
+/// The indentation of a new row after `text`: two spaces for every open bracket.
 std::string indentation_after(std::string_view text);
 
-/// How many rows of the screen stand above the cursor behind `text`, whose first row begins in `column` (0 for the
-/// screen's left) of a terminal with that many columns.
+/// How many rows of the screen are above the cursor after `text`, whose first row begins in `column` (0 for the left
+/// edge) of a terminal with that many columns.
 int rows_above(std::string_view text, int column, int columns);
 
-/// How the words are laid out in columns for a terminal of that width; ends with a newline.
+/// The words laid out in columns for a terminal of that width; ends with a newline.
 std::string in_columns(const std::vector<std::string>& words, std::size_t width);
 
-/// `text` as it may be written to a terminal: without control characters but newlines.
+/// `text` made safe for a terminal: without control characters except newlines.
 std::string printable(std::string_view text);
 
 } // namespace rt::tools

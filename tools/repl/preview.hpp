@@ -8,7 +8,7 @@
 
 namespace rt::tools {
 
-/// Previews as a terminal shows them, made while nothing is typed: each in the place of the one before.
+/// Previews as a terminal shows them, rendered while nothing is typed: each replaces the one before.
 class PreviewPrinter {
 public:
   explicit PreviewPrinter(const PicturePrinter& printer);
@@ -16,14 +16,14 @@ public:
   PreviewPrinter(const PreviewPrinter&) = delete;
   PreviewPrinter& operator=(const PreviewPrinter&) = delete;
 
-  /// Begins with the coarse one. What `make_film` reads must not change before `cancel`.
+  /// Starts with the coarse one. What `make_film` reads must not change before `cancel`.
   void start(const PictureExtent& extent, live::Preview::MakeFilm make_film);
-  /// Ends it, within the time of a tile.
+  /// Stops it, within the time of a tile.
   void cancel();
 
-  /// Readable when there is a picture to be shown.
+  /// Readable when there is a picture to show.
   int wake_fd() const { return wake_fd_; }
-  /// The newest picture, with what moves the cursor up over the one before it.
+  /// The newest picture, preceded by moving the cursor up over the previous one.
   std::string take();
 
 private:
@@ -35,7 +35,7 @@ private:
   std::mutex mutex_; // guards what follows
   std::string ready_;
   int ready_rows_ = 0;
-  int shown_rows_ = 0;    // of the picture that stands above the prompt
+  int shown_rows_ = 0;    // of the picture above the prompt
   live::Preview preview_; // last: its thread uses the rest
 };
 

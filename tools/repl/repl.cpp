@@ -45,7 +45,7 @@ std::string inputs_text(const AbandonedSession& session) {
   return fmt::format("{} {}", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs");
 }
 
-// The sessions that can be had again, each with its last input to be known by.
+// The sessions that can be recovered, each identified by its last input.
 std::string offer(const std::vector<AbandonedSession>& sessions) {
   if (sessions.empty()) return "";
   if (sessions.size() == 1)
@@ -73,7 +73,7 @@ void take_leave(Shell& shell) {
   shell.close();
 }
 
-// The terminal's side of a session.
+// The terminal side of a session.
 class Terminal {
 public:
   explicit Terminal(const ReplOptions& options)
@@ -127,8 +127,8 @@ private:
   LineEditor editor_;
 };
 
-// A line that the terminal itself lets be edited. Nothing where Ctrl-C took it back; `is_at_end` where no more will
-// come.
+// A line edited by the terminal itself. Nothing if Ctrl-C discarded it; `is_at_end` if there will be no
+// more.
 std::optional<std::string> read_plain(KeyReader& keys, bool& is_at_end) {
   std::string line;
   while (true) {
@@ -149,7 +149,7 @@ std::optional<std::string> read_plain(KeyReader& keys, bool& is_at_end) {
   }
 }
 
-// At a terminal that cannot move its cursor: prompts and answers alone.
+// On a terminal that cannot move its cursor: prompts and answers only.
 int run_plain(const ReplOptions& options) {
   Shell shell(shell_options(options, state_folder(), false), {print, print, false});
   KeyReader keys(-1);
@@ -171,7 +171,7 @@ int run_plain(const ReplOptions& options) {
   return exit_fine;
 }
 
-// Reads standard input line by line, so that a program at its other end is answered as it goes.
+// Reads standard input line by line, so that a program at the other end gets its answers immediately.
 class LineInput {
 public:
   std::optional<std::string> next() {

@@ -78,7 +78,7 @@ bool Shell::run_statements(std::string_view input) {
   return report(result);
 }
 
-// The journal holds the inputs that changed the document, which lead to it again.
+// The journal contains the inputs that changed the document, from which it can be restored.
 void Shell::remember(std::string_view input) {
   if (session_.version() == journaled_version_) return;
   has_changed_ = true;
@@ -128,7 +128,7 @@ bool Shell::recover(std::size_t number) {
   abandoned_.erase(place);
   std::error_code error;
   std::filesystem::current_path(session.working_folder, error);
-  // What the inputs answered was read when they were typed.
+  // The responses to the inputs were read when they were typed.
   const auto print_answers = std::exchange(output_.print, [](std::string_view) {});
   const bool are_fine = std::all_of(session.entries.begin(), session.entries.end(),
                                     [this](const std::string& entry) { return run(entry); });

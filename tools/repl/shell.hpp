@@ -13,32 +13,32 @@
 
 namespace rt::tools {
 
-/// Where a session's words go.
+/// The output of a session.
 struct ShellOutput {
   std::function<void(std::string_view)> print;    ///< answers
-  std::function<void(std::string_view)> complain; ///< diagnostics and what went wrong
+  std::function<void(std::string_view)> complain; ///< diagnostics and errors
   bool uses_color = false;
 };
 
 struct ShellOptions {
   lang::LoadOptions load;
-  std::string folder;          ///< what relative includes start from
+  std::string folder;          ///< what relative includes are resolved against
   std::string journal_folder;  ///< empty: no journal
-  bool is_interactive = false; ///< a person sits there: small talk is welcome
-  bool moves_cursor = false;   ///< at a terminal where what was written can be written over
+  bool is_interactive = false; ///< a person is typing: informal messages are welcome
+  bool moves_cursor = false;   ///< on a terminal where earlier output can be overwritten
 };
 
-/// A session with its commands: takes complete inputs and answers them, without reading keys or knowing a terminal
-/// beyond its size.
+/// A session with its commands: takes complete inputs and answers them, without reading keys or knowing anything about
+/// the terminal but its size.
 class Shell {
 public:
   Shell(const ShellOptions& options, ShellOutput output);
 
-  /// Statements, or a command that begins with a colon. False where it went wrong, which has been reported.
+  /// Statements, or a command that begins with a colon. False if it failed, which has been reported.
   bool run(std::string_view input);
   bool wants_to_quit() const { return wants_to_quit_; }
 
-  /// Says what camera and light were assumed, once for each state of the scene.
+  /// Reports the camera and light that were assumed, once for each state of the scene.
   void report_assumptions();
 
   // For the commands.
@@ -48,9 +48,9 @@ public:
   PicturePrinter& printer() { return printer_; }
   const ShellOutput& output() const { return output_; }
   void print(std::string_view text) const { output_.print(text); }
-  /// Prints a complaint and gives false.
+  /// Prints an error and returns false.
   bool fail(std::string_view text) const;
-  /// Reports what became of an input; false unless it was accepted.
+  /// Reports the result of an input; false unless it was accepted.
   bool report(const lang::SessionResult& result);
   void quit() { wants_to_quit_ = true; }
 
@@ -59,13 +59,13 @@ public:
   /// Whether the picture has changed since the last call.
   bool take_change() { return std::exchange(has_changed_, false); }
 
-  /// The file that `:save` without a name writes to; empty where there is none yet.
+  /// The file that `:save` without a name writes to; empty if there is none yet.
   const std::string& path() const { return path_; }
-  /// The document is now what the file says.
+  /// The document is now identical to the file.
   void became_saved(const std::string& path);
   bool has_unsaved_changes() const { return session_.version() != saved_version_ && !session_.is_empty(); }
 
-  /// The sessions that were not saved, the latest first.
+  /// The sessions that were not saved, latest first.
   const std::vector<AbandonedSession>& abandoned() const { return abandoned_; }
   /// Runs the inputs of one of them, numbered from 1.
   bool recover(std::size_t number);
@@ -92,7 +92,7 @@ private:
   bool shows_previews_ = false;
   bool has_changed_ = false;
   std::optional<std::size_t> reported_version_;
-  std::size_t journaled_version_ = 0; // to which the journal leads
+  std::size_t journaled_version_ = 0; // the version that the journal restores
 };
 
 } // namespace rt::tools

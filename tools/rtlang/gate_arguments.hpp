@@ -12,7 +12,7 @@ struct NamedNumber {
   double* value;
 };
 
-/// Reads each NAME=VALUE into the number of that name. Throws UsageError for what is unknown or no number.
+/// Parses each NAME=VALUE into the number of that name. Throws UsageError for an unknown name or an invalid number.
 void set_gates(const std::vector<std::string>& given, const std::vector<NamedNumber>& known);
 
 } // namespace rt::tools

@@ -12,16 +12,16 @@
 namespace rt::tools {
 namespace {
 
-// Where explanations begin.
+// The column where explanations begin.
 constexpr std::size_t option_column = 28;
 constexpr std::size_t command_column = 12;
 
 /// Text in lines of up to 80 characters, broken at spaces; all but the first begin with `indent` spaces, and the first
-/// has that many less to go.
+/// is shorter by as many.
 std::string wrapped(const std::string& text, std::size_t indent = 0) {
   constexpr std::size_t width = 80;
   std::string result, word;
-  std::size_t length = indent; // of the line
+  std::size_t length = indent; // of the current line
   std::istringstream words(text);
   while (words >> word) {
     const bool is_first = length == indent, fits = is_first || length + 1 + word.size() <= width;
@@ -32,7 +32,7 @@ std::string wrapped(const std::string& text, std::size_t indent = 0) {
   return result + '\n';
 }
 
-/// Two columns, the right one over as many lines as it takes.
+/// Two columns, the right one wrapped over as many lines as it takes.
 std::string row(std::string_view left, const std::string& right, std::size_t column) {
   const bool fits = left.size() + 4 <= column;
   return fmt::format("  {}{}{}", left,
@@ -46,12 +46,12 @@ std::string option_row(const CLI::Option& option) {
   std::string names = letters.empty() ? "    " : '-' + letters.front();
   if (!letters.empty() && !words.empty()) names += ", ";
   if (!words.empty()) names += "--" + words.front();
-  const std::string value = option.get_type_name(); // CLI11 adds its checks to it, after a colon
+  const std::string value = option.get_type_name(); // CLI11 appends its checks to it, after a colon
   if (!value.empty()) names += ' ' + value.substr(0, value.find(':'));
   return row(names, option.get_description(), option_column);
 }
 
-/// The options of a group under a heading; nothing where there are none. Positional ones are in the usage line.
+/// The options of a group under a heading; nothing if there are none. Positional ones are in the usage line.
 std::string options_of(const CLI::App& app, const std::string& group, const std::string& heading) {
   std::string text;
   for (const CLI::Option* option : app.get_options())

@@ -6,7 +6,7 @@
 
 namespace rt::tools {
 
-/// Options in this group appear in the help of their subcommand, but not in the program's own.
+/// Options in this group appear in the help of their subcommand, but not in that of the program.
 inline constexpr const char* further_options = "Further options";
 
 /// What `rtlang NAME --help` prints; `app` is what the subcommand declared.

@@ -22,7 +22,7 @@ std::string value_of(const Image& image, std::string_view key) {
 
 } // namespace
 
-// The number of samples and what becomes of their light do not change a sample.
+// The number of samples and the display of their light do not change a sample.
 SumsLabel label_of(scene::Scene& scene, const SamplePart& part) {
   SumsLabel label{{}, {}, tone_mapping(scene)};
   scene::Settings& settings = scene;

@@ -9,27 +9,27 @@
 #include <utility>
 #include <vector>
 
-/// Pictures of path mode that keep their sums (.exr with `Film::sums`): what they say of themselves, so that further
-/// samples can be added.
+/// Pictures of path mode that keep their sums (.exr with `Film::sums`): their metadata, so that further samples can be
+/// added.
 namespace rt::tools {
 
-/// What the sums of a picture are of.
+/// What the sums of a picture belong to.
 struct SumsLabel {
-  std::string samples_hash;      ///< of all that a sample depends on
-  std::vector<SamplePart> parts; ///< that are in them, sorted; none: the whole
-  ToneMapping tone_mapping;      ///< how the scene wants its light to be shown
+  std::string samples_hash;      ///< of everything that a sample depends on
+  std::vector<SamplePart> parts; ///< contained in them, sorted; none: the whole
+  ToneMapping tone_mapping;      ///< how the scene's light is to be displayed
 };
 
-/// Of a scene's picture. Nothing of the scene is changed.
+/// For a scene's picture. The scene is not changed.
 SumsLabel label_of(scene::Scene& scene, const SamplePart& part);
 /// As attributes of an exr.
 std::vector<std::pair<std::string, std::string>> attributes(const SumsLabel& label);
-/// Whether the key is that of one.
+/// Whether the key is one of these attributes.
 bool is_label_key(std::string_view key);
-/// Of a picture that was read. Throws UsageError for one without sums; `path` is for its message.
+/// From a picture that was read. Throws UsageError if it has no sums; `path` is for the message.
 SumsLabel label_of(const Image& image, const std::string& path);
 
-/// A picture with sums. Throws as `read_image` does, and UsageError for one without.
+/// A picture with sums. Throws as `read_image` does, and UsageError if it has none.
 struct PictureWithSums {
   std::string path;
   Image image;
@@ -37,7 +37,7 @@ struct PictureWithSums {
 };
 PictureWithSums read_with_sums(const std::string& path);
 
-/// "2/4"; nothing for what is no part.
+/// "2/4"; nothing if it is not a part.
 std::optional<SamplePart> part_of(std::string_view text);
 
 } // namespace rt::tools

@@ -32,7 +32,7 @@ int usage_error(std::string_view message, std::string_view help_of) {
   return exit_usage;
 }
 
-/// CLI11 takes an option's value for optional only when it is joined to it.
+/// CLI11 treats an option's value as optional only if it is joined to it.
 void join_optional_values(std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     if (arguments[i] != "--stats" || (arguments[i + 1] != "json" && arguments[i + 1] != "text")) continue;
@@ -47,7 +47,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return nearest ? fmt::format(": did you mean `{}`?", *nearest) : "";
 }
 
-/// What to say of words that belong to no option and are no argument; `first` is the command line's first word.
+/// What to say about words that are neither options nor arguments; `first` is the command line's first word.
 std::string about_extras(const std::vector<std::string>& extras, const CLI::App& app, const std::string& first) {
   for (const std::string& extra : extras) {
     if (!extra.starts_with('-') || extra == "-") continue;
@@ -67,7 +67,7 @@ std::string about_extras(const std::vector<std::string>& extras, const CLI::App&
   return fmt::format("unexpected argument `{}`", extras.front());
 }
 
-/// CLI11 puts a colon between an option and what our checks say of it, and has its own way to miss a value.
+/// CLI11 puts a colon between an option and our checks' message, and has its own wording for a missing value.
 std::string as_sentence(const std::string& message) {
   static const std::regex missing("^(\\S+): 1 required (\\S+) missing$"), colon("^(\\S+): (takes|cannot) ");
   return std::regex_replace(std::regex_replace(message, missing, "$1 takes a value: $1 $2"), colon, "$1 $2 ");
@@ -79,7 +79,7 @@ bool input_is_given() {
   return ::fstat(STDIN_FILENO, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISREG(status.st_mode));
 }
 
-/// What to say where arguments are missing: all of them.
+/// What to say if arguments are missing: all of them.
 std::string about_missing(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -95,7 +95,7 @@ std::string about_missing(const CLI::App& app) {
                          : "");
 }
 
-/// `first` is the command line's first word: the subcommand's name, unless that was left out.
+/// `first` is the command line's first word: the subcommand's name, unless it was omitted.
 int run_subcommand(const Subcommand& subcommand, std::vector<std::string> arguments, const std::string& first) {
   const std::string name_given = first == subcommand.name ? first + ' ' : "";
   CLI::App app;
@@ -159,14 +159,14 @@ int run(std::vector<std::string> arguments) {
     struct rusage usage {};
     ::getrusage(RUSAGE_SELF, &usage);
     print_error(fmt::format("rtlang: there is not enough memory: {}B were in use\n",
-                            human(1024 * static_cast<double>(usage.ru_maxrss)))); // in KiB, as Linux counts
+                            human(1024 * static_cast<double>(usage.ru_maxrss)))); // in KiB on Linux
   } catch (const std::system_error& error) {
-    // A file that is a pipe was waited for.
+    // It was waiting for a file that is a pipe.
     if (error.code() == std::errc::interrupted && stop_signal() != 0) {
       say_stopped();
       return exit_signal_base + stop_signal();
     }
-    // Whoever read our output has enough: `rtlang ast scene.rtl | head`.
+    // The reader of our output has had enough: `rtlang ast scene.rtl | head`.
     if (error.code() == std::errc::broken_pipe) return exit_broken_pipe;
     print_error(fmt::format("rtlang: {}\n", error.what()));
   } catch (const std::exception& error) {

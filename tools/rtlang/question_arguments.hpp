@@ -9,7 +9,7 @@
 
 namespace rt::tools {
 
-/// What the subcommands that ask about one ray take.
+/// The arguments of subcommands that ask about one ray.
 struct QuestionArguments {
   std::shared_ptr<explain::QuestionText> question;
   std::shared_ptr<live::PictureSettings> picture;
@@ -19,7 +19,7 @@ struct QuestionArguments {
 /// Adds --pixel, --sample, --at and --ray.
 std::shared_ptr<explain::QuestionText> add_question_arguments(CLI::App& app);
 
-/// Loads the scene and prints what `answer` says; the exit code.
+/// Loads the scene and prints the result of `answer`; returns the exit code.
 int answer_question(const QuestionArguments& arguments,
                     const std::function<std::string(live::Document&, const explain::Question&)>& answer);
 

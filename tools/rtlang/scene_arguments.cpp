@@ -22,7 +22,7 @@
 namespace rt::tools {
 namespace {
 
-/// Standard input to its end, unless a signal asks to stop.
+/// Reads standard input to its end, unless a signal asks to stop.
 std::string read_standard_input() {
   std::string text;
   std::vector<char> block(1 << 16);
@@ -42,7 +42,7 @@ std::pair<std::string, std::string> split_define(const std::string& define) {
   return {define.substr(0, equals), define.substr(equals + 1)};
 }
 
-/// As lang::load_file, with our own words for a file that cannot be read.
+/// Like lang::load_file, with our own message for a file that cannot be read.
 lang::Loaded load_named(const std::string& path, const lang::LoadOptions& options) {
   try {
     return lang::load_file(path, options);
@@ -51,7 +51,7 @@ lang::Loaded load_named(const std::string& path, const lang::LoadOptions& option
   }
 }
 
-/// Another program's scene: as text of ours, whose lines are those of the file.
+/// Another program's scene: as text in our language, with the line numbers of the file.
 lang::Loaded load_import(const import::Format& format, const SceneArguments& arguments,
                          const lang::LoadOptions& options) {
   import::Imported imported = format.read(read_text(arguments), shown_name(arguments), arguments.import);
@@ -144,7 +144,7 @@ void show(const std::vector<lang::Diagnostic>& diagnostics, const lang::SourceMa
 }
 
 void show_printed(const lang::Loaded& loaded, const SceneArguments& arguments) {
-  if (arguments.json_diagnostics) return; // `show` has them in its array
+  if (arguments.json_diagnostics) return; // `show` includes them in its array
   std::string text;
   for (const lang::Diagnostic& line : loaded.printed) text += lang::render_line(line, loaded.sources);
   print_error(text);

@@ -42,7 +42,7 @@ std::string seconds(double value) {
   return fmt::format("{:.{}f} s", value, value < 9.995 ? 2 : 1);
 }
 
-// ", 256 samples, noise 0.0087"; nothing in Whitted's mode.
+// ", 256 samples, noise 0.0087"; nothing in Whitted mode.
 std::string quality(const RunStatistics& s) {
   if (!s.render.noise) return "";
   return fmt::format(", {} samples, noise {:.2g}", human(s.render.samples), *s.render.noise);
@@ -116,7 +116,7 @@ std::string json(const RunStatistics& s) {
       {"write", s.write_seconds},        {"total", s.total_seconds},      {"cpu_user", own.user_seconds},
       {"cpu_system", own.system_seconds}};
   j["peak_memory_bytes"] = own.peak_bytes;
-  // A scene's name need not be UTF-8.
+  // A scene's name need not be valid UTF-8.
   return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 

@@ -8,7 +8,7 @@
 
 namespace rt::tools {
 
-/// What one run took and made.
+/// What one run cost and produced.
 struct RunStatistics {
   std::string scene;                ///< the scene's file as given
   std::vector<std::string> outputs; ///< as given, "-" for standard output
@@ -24,8 +24,8 @@ std::uint64_t count_rays(const RenderStatistics& statistics);
 
 /// One line: picture, rays, time.
 std::string summary(const RunStatistics& statistics);
-/// A table of several lines for people, the same as one JSON object for machines; both with the process's own CPU time
-/// and peak memory.
+/// A table of several lines for people, the same as one JSON object for machines; both with the process's CPU time and
+/// peak memory.
 std::string table(const RunStatistics& statistics);
 std::string json(const RunStatistics& statistics);
 

@@ -4,7 +4,7 @@
 
 namespace rt::tools {
 
-/// Writes to standard output, all of it at once. Throws std::system_error.
+/// Writes all of it to standard output at once. Throws std::system_error.
 void print(std::string_view text);
 /// Writes to standard error; a failure is ignored: there is nowhere to report it.
 void print_error(std::string_view text) noexcept;

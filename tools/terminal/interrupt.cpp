@@ -11,7 +11,7 @@
 namespace rt::tools {
 namespace {
 
-// A signal handler reaches nothing but what is global.
+// A signal handler can only access globals.
 std::atomic<bool> stop{false};
 std::atomic<int> signal_number{0};
 std::atomic<bool> ends_at_once{false};
@@ -30,13 +30,13 @@ void on_signal(int number) {
 
 void say_stopped() noexcept {
   constexpr std::string_view message = "rtlang: stopped\n";
-  if (::write(STDERR_FILENO, message.data(), message.size()) < 0) return; // nobody hears it
+  if (::write(STDERR_FILENO, message.data(), message.size()) < 0) return; // there is nowhere to report it
 }
 
 void listen_to_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
-  // Without SA_RESTART a read that waits for input returns, so that it can be given up.
+  // Without SA_RESTART a read that waits for input returns, so that it can be abandoned.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGINT, SIGTERM}) {

@@ -64,8 +64,8 @@ ChafaPixelMode pixel_mode(Graphics graphics) {
   return CHAFA_PIXEL_MODE_SYMBOLS;
 }
 
-// Linear light to 8-bit sRGB through a table fine enough for half a step everywhere but in the darkest tones, where a
-// preview may be a step off.
+// Linear light to 8-bit sRGB by a table that is accurate to half a step everywhere but in the darkest tones, where a
+// preview may be one step off.
 class Encoder {
 public:
   Encoder() {
@@ -82,7 +82,7 @@ private:
   std::array<std::uint8_t, 8192> table_;
 };
 
-// With an alpha channel: libchafa reads rows of three bytes a pixel wrongly unless they are a multiple of four long.
+// With an alpha channel: libchafa misreads rows of three bytes per pixel unless their length is a multiple of four.
 std::vector<std::uint8_t> encode(const Film& film) {
   static const Encoder encoder;
   const ToneCurve curve(film.tone_mapping);
@@ -93,14 +93,14 @@ std::vector<std::uint8_t> encode(const Film& film) {
   return bytes;
 }
 
-// Perceived lightness of linear light, 0 to 1 (CIE 1976 L*/100 of its luminance, the weights of Rec. 709).
+// Perceived lightness of linear light, 0 to 1 (CIE 1976 L*/100 of its luminance, with the weights of Rec. 709).
 double lightness(const Rgb32& c) {
   const auto part = [](float v) { return std::clamp(static_cast<double>(v), 0.0, 1.0); };
   const double y = 0.2126 * part(c.r) + 0.7152 * part(c.g) + 0.0722 * part(c.b);
   return y > 216.0 / 24389 ? 1.16 * std::cbrt(y) - 0.16 : y * 24389 / 2700;
 }
 
-// Characters alone: the lighter a cell, the more of it its character fills.
+// Characters only: the lighter a cell, the more of it its character fills.
 std::string in_characters(const Film& film, const PictureExtent& extent) {
   constexpr std::string_view ramp = " .:-=+*#%@";
   std::string text;
@@ -119,8 +119,8 @@ std::string in_characters(const Film& film, const PictureExtent& extent) {
   return text;
 }
 
-// Terminals differ in where a picture leaves the cursor. So the rows are made first, and the cursor returns to their
-// beginning by itself.
+// Terminals differ in where a picture leaves the cursor. So the rows are created first, and the cursor is moved back to
+// their beginning explicitly.
 std::string framed(std::string_view picture, int rows) {
   const std::string room(static_cast<std::size_t>(rows), '\n');
   return fmt::format("{}\x1b[{}A\x1b"
@@ -129,7 +129,7 @@ std::string framed(std::string_view picture, int rows) {
                      room, rows, picture, rows);
 }
 
-// What a pixel on the screen measures, where the terminal does not say: the shape of most fonts.
+// The size of a cell in pixels, if the terminal does not report it: the shape of most fonts.
 constexpr int usual_cell_width = 8, usual_cell_height = 16;
 
 } // namespace
@@ -163,7 +163,7 @@ PicturePrinter::PicturePrinter(bool is_terminal) {
     graphics_ = static_cast<Graphics>(wanted - names.begin());
     may_ask_ = false;
   }
-  // The database's fallback knows every sequence, also those that the environment does not promise.
+  // The database's fallback knows every sequence, even those that the environment does not promise.
   ChafaTermInfo* fallback = chafa_term_db_get_fallback_info(db);
   chafa_term_info_supplement(terminal_.get(), fallback);
   chafa_term_info_unref(fallback);

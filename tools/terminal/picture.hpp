@@ -33,12 +33,12 @@ public:
   PicturePrinter& operator=(const PicturePrinter&) = delete;
 
   Graphics graphics() const { return graphics_; }
-  /// Only the terminal itself knew (see `sixel_query`).
+  /// To be called if the terminal itself reports them (see `attributes_query`).
   void use_sixels();
-  /// Whether to ask the terminal: the environment does not say, and an answer would be used.
+  /// Whether to query the terminal: the environment does not tell, and a reply would be used.
   bool wants_to_ask() const { return may_ask_; }
 
-  /// The largest extent for a picture of this shape that leaves `spare_rows` of the screen free.
+  /// The largest extent for a picture of this aspect ratio that leaves `spare_rows` of the screen free.
   PictureExtent fit(scene::Resolution size, const TerminalSize& terminal, int spare_rows) const;
 
   /// The film, scaled to `extent`, as text that ends at the beginning of the row below it.
@@ -54,7 +54,7 @@ private:
   bool may_ask_ = false;
 };
 
-/// Asks a terminal for its attributes; among those of its answer (ESC [ ? … c) 4 stands for sixels.
+/// Queries a terminal's attributes; in the reply (ESC [ ? … c) 4 means sixel support.
 inline constexpr std::string_view attributes_query = "\x1b[c";
 bool has_sixels(std::string_view attributes);
 

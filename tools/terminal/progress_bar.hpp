@@ -7,12 +7,12 @@
 
 namespace rt::tools {
 
-/// The line that stands on the terminal while a picture is made: a bar, the share that is done, rays per second and the
-/// time that is left if the rest takes as long as what is done.
+/// The line shown on the terminal while a picture is rendered: a bar, the fraction done, rays per second and the
+/// remaining time, extrapolated.
 std::string progress_line(const Progress& progress);
 
-/// Shows that line on standard error, which must be a terminal, and takes it away at the end of its own life. Nothing
-/// is shown of what is done at once.
+/// Shows that line on standard error, which must be a terminal, and removes it at the end of its lifetime. Nothing is
+/// shown for work that finishes at once.
 class ProgressBar {
 public:
   ProgressBar() = default;
@@ -20,7 +20,7 @@ public:
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
   void show(const Progress& progress);
-  /// Another line in its place: what takes `seconds` so far.
+  /// Another line in its place, for work that has taken `seconds` so far.
   void show(std::string_view line, double seconds);
 
 private:

@@ -22,7 +22,7 @@ std::optional<std::uint64_t> parse_quantity(std::string_view text, std::uint64_t
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   value *= factor;
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  // Up to 2^63 every whole double has its integer.
+  // Up to 2^63 every integral double fits an integer.
   if (!(value >= 0) || value > 0x1p63 || value != std::floor(value)) return std::nullopt;
   return static_cast<std::uint64_t>(value);
 }

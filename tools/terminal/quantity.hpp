@@ -7,8 +7,8 @@
 
 namespace rt::tools {
 
-/// A whole number, not negative, as "20000000", "2e7", or with a letter of either case for a power of `thousand`:
-/// "500K", "20M", "4G", "1T". `thousand` is 1000 for things that are counted, 1024 for bytes.
+/// A non-negative integer, as "20000000", "2e7", or with a letter of either case for a power of `thousand`: "500K",
+/// "20M", "4G", "1T". `thousand` is 1000 for counts, 1024 for bytes.
 std::optional<std::uint64_t> parse_quantity(std::string_view text, std::uint64_t thousand);
 
 /// A quantity for people, three digits and a power of 1000: "1.20 M", "318".

@@ -18,7 +18,7 @@ bool has_direct_colors() {
   return value && (std::string_view(value) == "truecolor" || std::string_view(value) == "24bit");
 }
 
-// The nearest of the 6 × 6 × 6 colours that all terminals of 256 colours have; their steps are 0, 95, 135, … 255.
+// The nearest of the 6 × 6 × 6 colours that all 256-colour terminals have; their levels are 0, 95, 135, … 255.
 int to_cube(int byte) {
   return byte < 48 ? 0 : byte < 115 ? 1 : (byte - 35) / 40;
 }

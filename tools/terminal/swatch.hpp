@@ -10,7 +10,7 @@ namespace rt::tools {
 /// Two cells of the colour (linear light, clipped), for a terminal.
 std::string swatch(const Color& color);
 
-/// Less bright than the rest, where colours are used.
+/// Dimmed, if colours are used.
 std::string dim(std::string_view text, bool uses_color);
 
 } // namespace rt::tools

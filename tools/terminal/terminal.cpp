@@ -17,7 +17,7 @@
 namespace rt::tools {
 namespace {
 
-// What a signal handler can reach is global by nature.
+// What a signal handler accesses is necessarily global.
 std::atomic<int> interrupt_scopes{0};
 std::atomic<int> pipe_write_end{-1};
 int pipe_read_end = -1;
@@ -34,7 +34,7 @@ void handle(int signal) {
       return;
     }
   }
-  [[maybe_unused]] const ssize_t n = ::write(pipe_write_end, &event, 1); // a full pipe holds news enough
+  [[maybe_unused]] const ssize_t n = ::write(pipe_write_end, &event, 1); // if the pipe is full, it has news enough
   errno = saved;
 }
 
@@ -81,7 +81,7 @@ BracketedPaste::~BracketedPaste() {
   send("\x1b[?2004l");
 }
 
-// Where no terminal is listened to, the program's own listening counts, and its flag stays.
+// If no terminal is being read, the program's own signal handling applies, and its flag stays.
 InterruptScope::InterruptScope() {
   if (pipe_read_end >= 0 && interrupt_scopes == 0) set_stop(false);
   ++interrupt_scopes;

@@ -7,7 +7,7 @@
 
 namespace rt::tools {
 
-/// Of the terminal at standard output; pixels are 0 where it does not say.
+/// The size of the terminal at standard output; pixels are 0 if unknown.
 struct TerminalSize {
   int columns = 80, rows = 24;
   int pixel_width = 0, pixel_height = 0;
@@ -22,8 +22,8 @@ enum class Console : std::uint8_t {
 };
 Console console();
 
-/// Between two lines the terminal neither echoes nor waits for whole lines, so that what is typed ahead waits in
-/// silence. Its own mode comes back at the end.
+/// Between two lines the terminal neither echoes nor is in line mode, so that what is typed ahead waits invisibly. Its
+/// original mode is restored at the end.
 class QuietTerminal {
 public:
   QuietTerminal();
@@ -36,7 +36,7 @@ private:
   bool is_set_ = false;
 };
 
-/// While it exists the terminal marks what is pasted.
+/// During its lifetime the terminal brackets pastes.
 struct BracketedPaste {
   BracketedPaste();
   ~BracketedPaste();
@@ -44,7 +44,7 @@ struct BracketedPaste {
   BracketedPaste& operator=(const BracketedPaste&) = delete;
 };
 
-/// While it exists Ctrl-C sets `stop()` and does nothing else. Scopes may be nested.
+/// During its lifetime Ctrl-C only sets `stop()`. Scopes may be nested.
 class InterruptScope {
 public:
   InterruptScope();

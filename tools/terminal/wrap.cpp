@@ -14,7 +14,7 @@ std::size_t indent_of_rest(std::string_view line) {
   return second == std::string_view::npos ? first + 2 : second;
 }
 
-// How many bytes of the line fit: up to a space, or all of the first word.
+// How many bytes of the line fit: up to a space, or the whole first word.
 std::size_t fitting(std::string_view line, std::size_t columns, std::size_t least) {
   std::size_t fits = std::string_view::npos;
   for (std::size_t space = line.find(' ', least); space != std::string_view::npos; space = line.find(' ', space + 1)) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// What check says about calls and what stands after a dot.
+/// Check's errors about calls and what follows a dot.
 namespace rt::lang::errors {
 
 /// A thing is called like a function.
@@ -17,7 +17,7 @@ std::string guess_label(std::string_view word, const std::vector<std::string_vie
 
 /// A chain method without its thing.
 void method_without_thing(CheckContext& context, Span place, std::string_view method);
-/// Braces behind what is no thing.
+/// Braces after something that is not a thing.
 void not_a_thing(CheckContext& context, Span place, bool is_module);
 void unknown_export(CheckContext& context, Span place, Symbol name, const ModuleInfo& module);
 void unknown_method(CheckContext& context, Span place, std::string_view word);

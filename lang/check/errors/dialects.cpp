@@ -12,7 +12,7 @@ struct ForeignName {
   std::string_view advice;
 };
 
-/// Names of things and functions in POV-Ray, OpenSCAD, three.js and their like.
+/// Names of things and functions in POV-Ray, OpenSCAD, three.js and the like.
 constexpr ForeignName foreign_names[] = {
     {"cube", "write `box`"},
     {"cuboid", "write `box`"},
@@ -191,7 +191,7 @@ constexpr ForeignName foreign_names[] = {
 
 struct ForeignProperty {
   std::string_view theirs;
-  std::string_view ours; ///< said only where the noun has it
+  std::string_view ours; ///< mentioned only if the noun has it
 };
 
 constexpr ForeignProperty properties[] = {

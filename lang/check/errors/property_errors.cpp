@@ -21,7 +21,7 @@ std::vector<std::string_view> properties_of(CheckContext& context, const Owner& 
   return names;
 }
 
-/// The value as it would be a colour: `"red"` without quotes, `[1, 0, 0]` with `rgb`.
+/// The value as a colour: `"red"` without quotes, `[1, 0, 0]` with `rgb`.
 std::string as_color(std::string_view value) {
   const std::string_view inner = value.substr(1, std::max<std::size_t>(value.size(), 2) - 2);
   if (value.starts_with('"')) return std::string(inner);
@@ -29,7 +29,7 @@ std::string as_color(std::string_view value) {
   return std::string(value);
 }
 
-/// Where the property belongs, when that is known to be elsewhere; else empty.
+/// Where the property belongs, if it is known to belong elsewhere; else empty.
 std::string better_place(CheckContext& context, const Unit& unit, const Named& property, const Owner& owner) {
   const std::string_view word = context.name(property.symbol);
   const std::string_view value = context.text(unit.ast.span(property.value));

@@ -2,7 +2,7 @@
 
 #include "lang/check/context.hpp"
 
-/// What check says about properties.
+/// Check's errors about properties.
 namespace rt::lang::errors {
 
 void property_without_thing(CheckContext& context, Span place, Symbol name);

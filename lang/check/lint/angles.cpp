@@ -1,4 +1,4 @@
-// Angles that were written in radians.
+// Angles written in radians.
 
 #include "lang/check/lint/lint_warnings.hpp"
 #include "lang/check/lint/text_lint.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Angles that are often written in radians, and the fewest decimals that give them away.
+/// Angles that are often written in radians, and the number of decimals from which they are recognisable.
 struct KnownAngle {
   double degrees;
   int decimals;
@@ -25,7 +25,7 @@ constexpr std::array known_angles{KnownAngle{30, 3},  KnownAngle{45, 3},  KnownA
                                   KnownAngle{90, 2},  KnownAngle{120, 3}, KnownAngle{135, 3},
                                   KnownAngle{180, 2}, KnownAngle{270, 2}, KnownAngle{360, 2}};
 
-/// The angle that a number is in radians, rounded or cut off to some decimals; in degrees, 0 where it is none.
+/// The well-known angle that a number is in radians, rounded or truncated to some decimals; in degrees, 0 if none.
 double as_radians(double number) {
   constexpr int most_decimals = 12;
   const double v = std::abs(number);
@@ -78,7 +78,7 @@ void AngleLint::run() {
   }
 }
 
-// Names are declared after those that their values are made of.
+// Names are declared after those that their values depend on.
 void AngleLint::find_powers() {
   for (const Declaration& d : program_.references.declarations()) {
     NodeId value = no_node;
@@ -120,10 +120,10 @@ int AngleLint::pi_power_of_operation(const Ast& ast, NodeId node) const {
   }
 }
 
-// By how many factors of pi an expression is more than it would be without them: `pi / 2` and `2 * pi * t` by one, `180
-// / pi` by one less, a sum by what its greater part is.
+// The power of pi that an expression contains: 1 for `pi / 2` and `2 * pi * t`, -1 for `180 / pi`, for a sum that of
+// its dominant term.
 int AngleLint::pi_power(const Ast& ast, NodeId node) const {
-  constexpr std::size_t most_elements = 64; // of a list that is bound to a name
+  constexpr std::size_t most_elements = 64; // of a list bound to a name
   switch (ast.kind(node)) {
   case Kind::number:
     return as_radians(ast.number(node)) != 0 ? 1 : 0;
@@ -149,7 +149,7 @@ int AngleLint::pi_power(const Ast& ast, NodeId node) const {
   }
 }
 
-// A value that stands where degrees are meant.
+// A value where degrees are expected.
 void AngleLint::check_value(const Ast& ast, NodeId node) {
   if (ast.kind(node) == Kind::list) {
     for (const NodeId child : ast.children(node)) check_value(ast, child);

@@ -22,7 +22,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// What is allowed where.
+/// Which rules are suppressed where.
 class Permissions {
 public:
   explicit Permissions(const SourceMap& sources) : sources_(sources) {

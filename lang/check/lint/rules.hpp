@@ -8,15 +8,15 @@
 #include <string_view>
 #include <vector>
 
-/// What all parts of the lint share: its rules by name, and the comments that allow what a rule would warn of.
+/// What all parts of the lint share: its rules by name, and the comments that suppress warnings.
 namespace rt::lang {
 
-/// A rule has a code of the registry and a name to write in a scene.
+/// A rule has a code in the registry and a name to write in a scene.
 struct LintRule {
   std::string_view code; ///< "W0101"
   std::string_view name; ///< "never_placed"
 };
-/// What warns of it names it so.
+/// The names by which the code refers to the rules.
 namespace lint_rule {
 inline constexpr LintRule unknown_rule{"W0001", "unknown_rule"};
 inline constexpr LintRule never_placed{"W0101", "never_placed"};
@@ -42,15 +42,15 @@ inline constexpr LintRule depth_reached{"W0304", "depth_reached"};
 
 /// All of them, in the order of their codes.
 std::span<const LintRule> lint_rules();
-/// By code or name; null where there is none.
+/// By code or name; null if there is none.
 const LintRule* find_lint_rule(std::string_view word);
 /// The rules as a table for the reference.
 std::string lint_rules_markdown();
 
-/// `found` without what the scene allows: what a comment `// lint: allow NAME, …` names, on the line of its code or,
-/// where it stands alone, on the next line with code; in all of a file with `in this file` behind the names; and
-/// everywhere what `allowed` names. A comment that names no rule is a warning itself. Sorted by place; what is about
-/// the scene as a whole comes last, and is allowed by a comment for the first file.
+/// `found` without what the scene suppresses: the rules named by a comment `// lint: allow NAME, …`, on the line of its
+/// code or, if it stands alone, on the next line with code; in a whole file with `in this file` after the names; and
+/// everywhere those in `allowed`. A comment that names no rule is itself a warning. Sorted by place; what concerns the
+/// scene as a whole comes last and is suppressed by a comment for the first file.
 std::vector<Diagnostic> without_allowed(std::vector<Diagnostic> found, const SourceMap& sources,
                                         std::span<const std::string> allowed);
 

@@ -5,15 +5,15 @@
 
 namespace rt::lang {
 
-/// Warns of what is well formed but probably not meant, as far as the text alone shows it. The program is checked, and
-/// its references are kept.
+/// Warns of what is valid but probably not intended, as far as the text alone shows it. The program must be checked,
+/// with its references kept.
 void lint_text(const Program& program, Report& report);
 
-/// Names that lead to nothing in the scene.
+/// Names that do not contribute to the scene.
 void lint_unused_names(const Program& program, Report& report);
 /// Names that hide a thing of the language.
 void lint_hidden_nouns(const Program& program, Report& report);
-/// Radians where degrees are meant.
+/// Radians where degrees are expected.
 void lint_angles(const Program& program, Report& report);
 
 } // namespace rt::lang

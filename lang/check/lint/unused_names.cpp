@@ -8,7 +8,7 @@
 namespace rt::lang {
 namespace {
 
-/// A file that places nothing and says nothing of the scene is there for others to use.
+/// A file that places nothing and sets nothing of the scene is meant to be used by others.
 bool places_nothing(const Ast& ast) {
   return std::ranges::all_of(ast.children(ast.root), [&](NodeId item) { return is_declaration(ast.kind(item)); });
 }
@@ -23,7 +23,7 @@ public:
 private:
   using Index = std::uint32_t;
   struct Name {
-    bool is_watched = false;  ///< warned of where it is not needed
+    bool is_watched = false;  ///< a warning is given if it is unused
     bool is_exported = false; ///< other files may read it
     bool is_read = false;
     bool is_read_whole = false; ///< not only a property of it
@@ -55,8 +55,7 @@ ReadGraph::ReadGraph(const Program& program) : program_(program) {
 }
 
 void ReadGraph::add(const Reference& reference, Index target) {
-  if (reference.inside == static_cast<DeclarationId>(target))
-    return; // a function that calls itself is not used by that
+  if (reference.inside == static_cast<DeclarationId>(target)) return; // a recursive call does not count as a use
   Name& name = names_[target];
   name.is_read = true;
   name.is_read_whole |= reference.use == Reference::Use::reads;
@@ -86,7 +85,7 @@ std::vector<bool> ReadGraph::needed() const {
   return needed;
 }
 
-// A name that only unused names read is not reported: the report of those explains it.
+// A name read only by unused names is not reported: the report about those explains it.
 void ReadGraph::report_unused(Report& report) const {
   const std::vector<bool> is_needed = needed();
   std::vector<bool> is_explained(names_.size());
@@ -104,7 +103,7 @@ void ReadGraph::report_unused(Report& report) const {
   for (Index i = 0; i < names_.size(); ++i) {
     if (names_[i].is_watched && !is_needed[i] && !has_other_reader[i]) explain(i);
   }
-  for (Index i = 0; i < names_.size(); ++i) { // functions that call each other, and nobody else does
+  for (Index i = 0; i < names_.size(); ++i) { // functions that are called only by each other
     if (names_[i].is_watched && !is_needed[i] && !is_explained[i]) explain(i);
   }
   for (Index i = 0; i < names_.size(); ++i) {

@@ -9,7 +9,7 @@ namespace rt::lang {
 
 namespace {
 
-// Breaks a paragraph into lines that fit a terminal.
+// Wraps a paragraph to fit a terminal.
 std::string wrapped(std::string_view text) {
   constexpr std::size_t width = 80;
   std::string out;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// What goes wrong while a program runs: one function a code; what each means is in the registry.
+/// Run-time errors: one function per code; the registry documents each.
 namespace rt::lang::errors {
 
 Diagnostic wrong_operand(Span place, std::string message, std::string label = {}, std::string advice = {});
@@ -28,7 +28,7 @@ Diagnostic properties_disagree(Span place, std::string message, std::string labe
 Diagnostic media_disagree(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic not_movable(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic not_placeable(Span place, std::string message, std::string label = {}, std::string advice = {});
-/// A scene without a thing; `keeps_things` where some are bound to names.
+/// A scene without a thing; `keeps_things` if some are bound to names.
 Diagnostic nothing_to_see(Span place, bool keeps_things);
 Diagnostic too_many_steps(Span place, std::string message, std::string label = {}, std::string advice = {});
 Diagnostic calls_too_deep(Span place, std::string message, std::string label = {}, std::string advice = {});
@@ -44,10 +44,10 @@ Diagnostic expectation_fails(Span place, std::string message, std::string label 
 Diagnostic assumed_camera(Span place, std::string message);
 Diagnostic assumed_light(Span place, std::string message);
 Diagnostic empty_range(Span place);
-/// What `print` tells.
+/// The output of `print`.
 Diagnostic printed(Span place, std::string text);
 
-/// Whether it might be right with other values, so that it is no mistake where a line may never run.
+/// Whether other values might make it valid, so that it is no error where a line may never run.
 bool depends_on_values(const Diagnostic& diagnostic);
 
 } // namespace rt::lang::errors

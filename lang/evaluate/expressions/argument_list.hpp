@@ -17,9 +17,9 @@ public:
   ArgumentList(Evaluation& evaluation, CallEvaluator& calls, ThingSource& things, std::string_view name,
                const Signature& signature, Span place, bool takes_formulas = false);
 
-  /// Evaluates the arguments of a call node and checks them; false after a mistake, or where one is poison.
+  /// Evaluates the arguments of a call node and checks them; false after an error, or if one is poison.
   bool read(NodeId node, const Context& context, ExpressionEvaluator& expressions);
-  /// The same for values that are there already.
+  /// The same for existing values.
   bool take(std::vector<Value> values);
 
   Heap& heap() override;

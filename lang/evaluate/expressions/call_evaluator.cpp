@@ -13,7 +13,7 @@ namespace rt::lang {
 Value CallEvaluator::call_value(NodeId node, const Context& context) {
   const Ast& ast = context.ast();
   const NodeId callee = ast.call(node).callee;
-  if (ast.kind(callee) == Kind::name) { // without making a value of the function
+  if (ast.kind(callee) == Kind::name) { // without creating a function value
     const Node& name_node = ast[callee];
     if (resolution(name_node) == Resolution::builtin)
       return call_builtin(*all_builtins()[ast.slot(callee)], node, context);
@@ -41,7 +41,7 @@ Value CallEvaluator::call(const Value& callee, NodeId node, const Context& conte
     return call_closure(*callee.closure().function, callee.closure().parent.get(), node, context);
   if (callee.is(ValueKind::builtin)) return call_builtin(*callee.builtin(), node, context);
   const Ast& ast = context.ast();
-  for (const NodeId argument : ast.call(node).arguments) // there may be mistakes in them
+  for (const NodeId argument : ast.call(node).arguments) // there may be errors in them
     expressions_.evaluate(ast.kind(argument) == Kind::argument ? ast.named(argument).value : argument, context);
   if (callee.is_poison()) return callee;
   if (callee.is(ValueKind::thing)) return fail(errors::called_thing(ast.span(node), describe(callee), "write `{ … }`"));
@@ -81,7 +81,7 @@ bool CallEvaluator::pass_arguments(const FunctionInfo& function, Frame& frame, N
   return is_fine;
 }
 
-// The frame holds the arguments.
+// The frame contains the arguments.
 Value CallEvaluator::run(const FunctionInfo& function, Frame& frame, Span place) {
   if (errors_.is_unsure()) return Value::poison();
   const ErrorReporter::Call call(errors_, function, place);

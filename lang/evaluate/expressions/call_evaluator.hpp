@@ -10,7 +10,7 @@ namespace rt::lang {
 class ExpressionEvaluator;
 class ThingSource;
 
-/// Calls functions: those of the program, built-in ones, and the methods that move things.
+/// Calls functions: the program's, built-in ones, and chain methods.
 class CallEvaluator : private EvaluationPart {
 public:
   CallEvaluator(Evaluation& evaluation, ExpressionEvaluator& expressions, ThingSource& things)

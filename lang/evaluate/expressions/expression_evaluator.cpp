@@ -16,7 +16,7 @@ bool is_thing_or_list(const Value& value) {
   return value.is(ValueKind::thing) || value.is(ValueKind::list);
 }
 
-// The first name that it is kept under; a further one is another name for the same.
+// The first name that it is bound to; further ones are aliases.
 void give_name(Thing& thing, Symbol symbol) {
   if (thing.is_bound) return;
   thing.is_bound = true;
@@ -104,7 +104,7 @@ Value ExpressionEvaluator::name_value(NodeId node, const Context& context) {
     return from_srgb8(index);
   case Resolution::choice:
     return Value::choice(program_.choices[index]);
-  case Resolution::question: // is called, and then not asked for its value
+  case Resolution::question: // is called, and never evaluated itself
   case Resolution::none:
     break;
   }
@@ -130,7 +130,7 @@ Value ExpressionEvaluator::list_value(NodeId node, const Context& context) {
     return make_list(heap_, std::vector<Value>(numbers.begin(), numbers.end()));
   }
   const NodeList children = ast.children(node);
-  if (children.size() == 3) { // a vector, most likely: without a list in between
+  if (children.size() == 3) { // most likely a vector: without an intermediate list
     Value x = evaluate(children[0], context), y = evaluate(children[1], context), z = evaluate(children[2], context);
     if (x.is_number() && y.is_number() && z.is_number()) return Vec3{x.number(), y.number(), z.number()};
     if (x.is_poison() || y.is_poison() || z.is_poison()) return Value::poison();
@@ -211,7 +211,7 @@ Value ExpressionEvaluator::range_value(NodeId node, const Context& context) {
     if (value.is_number())
       *numbers[i] = value.number();
     else if (ast.kind(nodes[i]) == Kind::range)
-      return Value::poison(); // the parser has said so
+      return Value::poison(); // reported by the parser
     else if (!value.is_poison())
       fail(errors::wrong_operand(ast.span(nodes[i]), "a range is made of numbers", "this is " + describe(value)));
     is_poison |= !value.is_number();
@@ -284,7 +284,7 @@ void ExpressionEvaluator::declare(NodeId item, const Context& context) {
 
 Value ExpressionEvaluator::value_block(NodeId block, const Context& context) {
   const Ast& ast = context.ast();
-  Value result = Value::poison(); // where a value is missing, check has said so
+  Value result = Value::poison(); // if a value is missing, check has reported it
   for (const NodeId item : ast.children(block)) {
     switch (ast.kind(item)) {
     case Kind::bind:

@@ -11,7 +11,7 @@
 
 namespace rt::lang {
 
-/// What expressions need of those who make things and read files. They know no more of them.
+/// What expressions need of the parts that make things and read files. They know nothing else about them.
 class ThingSource {
 public:
   /// A thing or a record with the changes of a block.
@@ -20,9 +20,9 @@ public:
   virtual Value combine(Op op, Value left, Value right, NodeId node, const Context& context) = 0;
   /// A copy with one more step in its chain.
   virtual Value moved(const Thing& thing, scene::Step step, Span place) = 0;
-  /// Of a `use` or a `param`.
+  /// The value of a `use` or a `param`.
   virtual Value declared_value(NodeId item, const Context& context) = 0;
-  /// Who looks at the scene, or at a thing alone; null after a mistake.
+  /// The observer of the scene, or of a thing alone; null after an error.
   virtual const Observer* observer() = 0;
   virtual std::optional<double> precision() const = 0;
   virtual const Observer* observer_of(const Value& thing, Span place) = 0;
@@ -47,7 +47,7 @@ public:
   void declare(NodeId item, const Context& context);
   Value member_of(const Value& base, NodeId node, const Context& context);
   Value function_value(const FunctionInfo& function, Frame* frame, Span place);
-  /// Calls body(context) for each element of the head of a `for`, its variables set.
+  /// Calls body(context) for each element of the head of a `for`, with its variables set.
   template <class Body>
   void for_each(NodeId node, const Context& context, Body&& body);
   Value call_function(const Value& function, std::vector<Value> arguments, Span place) {
@@ -101,7 +101,7 @@ void ExpressionEvaluator::for_each(NodeId node, const Context& context, Body&& b
     const FrameScope frame(evaluation_.frames, make_frame(heap_, Ref<Frame>(context.frame), own_frame));
     run({context.unit, frame.get()});
   };
-  if (!is_loop_head(head, loop.head, context)) { // once, to find the mistakes in it
+  if (!is_loop_head(head, loop.head, context)) { // once, to find the errors in it
     const ErrorReporter::Unsure unsure(errors_);
     return turn(0, Value::poison());
   }

@@ -82,7 +82,7 @@ Value ExpressionEvaluator::member_of(const Value& base, NodeId node, const Conte
       if (found->function) return function_value(*found->function, module.frame.get(), ast.span(node));
       return (*module.frame)[found->slot];
     }
-    return Value::poison(); // check has said so
+    return Value::poison(); // reported by check
   }
   case ValueKind::vector:
     if (word == "x") return base.vector().x;

@@ -4,7 +4,7 @@
 
 namespace rt::lang {
 
-// What frames hold may refer to them in turn, through functions and the things of defs.
+// The contents of frames may refer to them in turn, through functions and the things of defs.
 Frames::~Frames() {
   for (const Ref<Frame>& frame : suspects_) frame->clear();
 }
@@ -13,7 +13,7 @@ Ref<Frame> Frames::keep(Ref<Frame> frame) {
   return suspects_.emplace_back(std::move(frame));
 }
 
-// A frame whose own values refer to it would never go: a function kept in it, or a thing that a def in it makes.
+// A frame to which its own values refer would never be freed: a function stored in it, or a thing made by a def in it.
 void Frames::leave(Ref<Frame> frame) {
   if (frame->references == 1) return;
   std::uint32_t own = 1;
@@ -32,7 +32,7 @@ void Frames::leave(Ref<Frame> frame) {
     suspects_.push_back(std::move(frame));
   if (suspects_.size() < next_sweep_) return;
   std::erase_if(suspects_, [](const Ref<Frame>& f) { return f->references == 1; });
-  next_sweep_ = std::max(next_sweep_, 2 * suspects_.size()); // so that many that stay are not looked at again and again
+  next_sweep_ = std::max(next_sweep_, 2 * suspects_.size()); // so that many survivors are not scanned again and again
 }
 
 } // namespace rt::lang

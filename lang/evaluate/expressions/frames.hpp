@@ -7,7 +7,7 @@
 
 namespace rt::lang {
 
-/// Lets go of frames that would be kept alive by what they hold themselves: functions, and things of defs.
+/// Frees frames that are kept alive by cycles through what they contain: functions, and things of defs.
 class Frames {
 public:
   Frames() = default;
@@ -15,17 +15,17 @@ public:
   Frames& operator=(const Frames&) = delete;
   ~Frames();
 
-  /// A frame that lives as long as this does.
+  /// A frame that lives as long as this object.
   Ref<Frame> keep(Ref<Frame> frame);
   /// A scope ends.
   void leave(Ref<Frame> frame);
 
 private:
-  std::vector<Ref<Frame>> suspects_;              // that may be kept alive by what they hold
-  std::size_t next_sweep_ = std::size_t{1} << 14; // how many of them are looked through next
+  std::vector<Ref<Frame>> suspects_;              // that may be in a cycle
+  std::size_t next_sweep_ = std::size_t{1} << 14; // how many of them trigger the next sweep
 };
 
-/// Lets go of a frame at the end of a scope, also when the evaluation ends in the middle of it.
+/// Releases a frame at the end of a scope, even if the evaluation ends in the middle of it.
 class FrameScope {
 public:
   FrameScope(Frames& frames, Ref<Frame> frame) : frames_(frames), frame_(std::move(frame)) {}

@@ -4,7 +4,7 @@
 
 namespace rt::lang {
 
-/// The operators on values: arithmetic and comparison. `and`, `or` and the combination of solids are not among them.
+/// The operators on values: arithmetic and comparison, but not `and`, `or` and the combination of solids.
 class Operators : private EvaluationPart {
 public:
   explicit Operators(Evaluation& evaluation) : EvaluationPart(evaluation), formulas_(evaluation) {}
@@ -25,7 +25,7 @@ private:
   FormulaEvaluator formulas_;
 };
 
-/// Whether the operator combines solids, where both sides are things.
+/// Whether the operator combines solids if both sides are things.
 bool is_solid_operator(Op op);
 
 } // namespace rt::lang

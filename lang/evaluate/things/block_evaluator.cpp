@@ -12,7 +12,7 @@ namespace rt::lang {
 
 namespace {
 
-/// Where the value of an item that binds a name is kept.
+/// The slot of the value of an item that binds a name.
 std::optional<std::uint32_t> bound_slot(const Ast& ast, NodeId item) {
   switch (ast.kind(item)) {
   case Kind::bind:
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> bound_slot(const Ast& ast, NodeId item) {
 } // namespace
 
 void BlockEvaluator::items(NodeId block, const Context& context, Target& target) {
-  // By position: a file's own list of items does not change, but its nodes do, when repeats become one another.
+  // By index: a file's list of items does not change, but its nodes do, when repeats become one another.
   const NodeList children = context.ast().children(block);
   for (const NodeId child : children) item(child, context, target);
 }

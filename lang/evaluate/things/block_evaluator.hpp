@@ -8,7 +8,7 @@ namespace rt::lang {
 
 class ThingEvaluator;
 
-/// Runs the items of blocks and files: what they say goes into a target.
+/// Runs the items of blocks and files: their results go into a target.
 class BlockEvaluator : private EvaluationPart {
 public:
   BlockEvaluator(Evaluation& evaluation, ExpressionEvaluator& expressions, ThingEvaluator& things,
@@ -16,11 +16,11 @@ public:
       : EvaluationPart(evaluation), expressions_(expressions), things_(things), expectations_(expectations) {}
 
   void items(NodeId block, const Context& context, Target& target);
-  /// An item that goes too deep leaves the others to be looked at, so that all mistakes of a file are told.
+  /// An item nested too deeply does not keep the others from being run, so that all errors of a file are reported.
   void file_items(NodeId root, const Context& context, Target& target);
   void item(NodeId node, const Context& context, Target& target);
   void put(const Value& value, Span place, Target& target);
-  /// False where `run` goes too deep; inside a call it is the outermost call that is given up.
+  /// False if `run` nests too deeply; inside a call the outermost call is abandoned.
   template <class F>
   bool ends_in_time(F&& run);
 

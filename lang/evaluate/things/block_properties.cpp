@@ -38,7 +38,7 @@ void BlockEvaluator::fail_unknown_property(const PropertyBlock& block, Symbol pr
   fail(std::move(error));
 }
 
-// Whether a property is written twice, or in another form too; reports it.
+// Whether a property was already set, or is set in another form; reports it.
 bool BlockEvaluator::is_written(const PropertyBlock& block, std::uint16_t id, std::string_view word, Span name_place) {
   const auto form = [&](std::uint16_t i) { return (i & parameter_bit) != 0 ? 0 : block.type->properties[i].form; };
   for (const PropertyBlock::Written& other : block.written) {

@@ -100,7 +100,7 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
     if (thing.built == 0xffffffff) {
       scene::Material made;
       for (const PropertyValue& p : thing.properties) {
-        if (p.value.is_poison()) continue; // a mistake, which was reported
+        if (p.value.is_poison()) continue; // an error that was reported
         const Property& property = thing.type->properties[p.id];
         property.field->set(&made, field_value(property, p.value));
       }

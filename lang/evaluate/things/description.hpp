@@ -11,7 +11,7 @@
 
 namespace rt::lang {
 
-/// The chain, the material and so on that all shapes have, as they were written for one of them.
+/// The attributes common to all shapes (chain, material and so on), as specified for one of them.
 struct ObjectAttributes {
   Vec3 at{}, rotate{}, scale{1, 1, 1};
   scene::MaterialId material = scene::no_material;
@@ -20,14 +20,14 @@ struct ObjectAttributes {
   bool casts_shadow = true;
 };
 
-/// Turns values into parts of the scene description. All values must have passed `check_value`.
+/// Converts values to parts of the scene description. All values must have passed `check_value`.
 class DescriptionWriter {
 public:
   DescriptionWriter(const SourceMap& sources, scene::Builder& builder);
 
-  /// As the field's `set` takes it.
+  /// In the form that the field's `set` takes.
   scene::FieldValue field_value(const Property& property, const Value& value);
-  /// Applies one of the properties that are no field's.
+  /// Applies a property that is not a field.
   void apply(ObjectAttributes& attributes_of, const Property& property, const Value& value);
 
   scene::MaterialId material(const Value& value);
@@ -41,7 +41,7 @@ public:
 private:
   const SourceMap& sources_;
   scene::Builder& builder_;
-  Span last_line_; // where `origin` looked last: most things stand in order
+  Span last_line_; // where `origin` last looked: most things come in order
   std::uint32_t last_line_number_ = 1;
 };
 

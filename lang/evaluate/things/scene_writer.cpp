@@ -12,7 +12,7 @@
 namespace rt::lang {
 namespace {
 
-// Why it is no thing of its kind though each field's value is one.
+// Why it is not a valid thing of its kind although each field's value is valid.
 std::optional<scene::Problem> problem_of(const Prototype& made) {
   return std::visit(
       [](const auto& of_kind) -> std::optional<scene::Problem> {
@@ -85,7 +85,7 @@ void SceneWriter::put(const ThingView& described, Target& target) {
                                  : "write it after `material:`, or as a material's `color`"));
 }
 
-// The noun's prototype with its fields as they were written.
+// The noun's prototype with its fields as set.
 Prototype SceneWriter::filled(const NodeType& type, std::span<const PropertyValue> properties) {
   Prototype made = type.prototype;
   void* const fields = owner(made);
@@ -118,7 +118,7 @@ std::optional<scene::ShapeRef> SceneWriter::shape(const ThingView& described) {
 std::optional<scene::ShapeRef> SceneWriter::shared_shape(const Thing& thing) {
   if (thing.shape || errors_.is_unsure() || is_poisoned(thing.properties)) return thing.shape;
   Prototype made = filled(*thing.type, thing.properties);
-  if (problem_of(made)) return std::nullopt; // said when it is placed, if it is
+  if (problem_of(made)) return std::nullopt; // reported when it is placed, if it is
   thing.shape = add_shape(scene_.shapes, std::move(made));
   evaluation_.may_have_unused = true;
   return thing.shape;
@@ -142,7 +142,7 @@ ObjectAttributes SceneWriter::attributes_of(const ThingView& described) {
   return attributes;
 }
 
-// A difference or an intersection that was given no solid has no meaning.
+// A difference or an intersection of no solids is meaningless.
 bool SceneWriter::is_something(const ThingView& described) {
   const NodeType& type = *described.type;
   const Content* inside = described.inside;
@@ -202,14 +202,14 @@ std::optional<scene::ShapeRef> SceneWriter::content_shape(Content& content, cons
     content.shape = builder_.group(std::move(content.members));
   } else {
     content.shape = builder_.combination(type.operation, std::move(content.members));
-    // Every combination that was made since is said to be written here.
+    // Every combination made since is attributed to this place.
     combination_places_.resize(scene_.shapes.all<scene::Combination>().size(), place);
   }
   content.members = {};
   return content.shape;
 }
 
-// A solid whose material lets light through and does not say how it bends it.
+// A solid whose material is transparent and specifies no index of refraction.
 void SceneWriter::remark_medium(const ThingView& described, scene::ShapeRef made) {
   const Value* material = nullptr;
   const auto look = [&](std::span<const PropertyValue> properties) {
@@ -294,7 +294,7 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
   note_sky(light, described.place, target);
 }
 
-// Wherever it is written, a scene has one.
+// A scene has one sky, wherever it is written.
 void SceneWriter::note_sky(const scene::Light& light, Span place, const Target& target) {
   if (target.kind != Target::Kind::scene || scene::is_lamp(light) || errors_.is_unsure()) return;
   if (sky_place_)

@@ -15,7 +15,7 @@ public:
       : EvaluationPart(evaluation), builder_(evaluation.builder), scene_(evaluation.builder.scene),
         description_(evaluation.program.sources, evaluation.builder) {}
 
-  /// Whether the target takes the thing at all, so that a composite's `inside` is needed.
+  /// Whether the target accepts the thing at all, so that a composite's `inside` is needed.
   bool takes(const ThingView& described, const Target& target) const;
   void put(const ThingView& described, Target& target);
   /// The shape of a thing that is about to be copied: its copies will share it.
@@ -25,7 +25,7 @@ public:
 
   scene::NameId default_name(Symbol symbol);
   scene::FieldValue scene_value(const PropertyValue& property);
-  /// Where a camera was written; nothing before that.
+  /// Where a camera was written, if one was.
   const std::optional<Span>& camera_place() const { return camera_place_; }
   /// The same for the sky.
   const std::optional<Span>& sky_place() const { return sky_place_; }
@@ -58,7 +58,7 @@ private:
   DescriptionWriter description_;
   std::optional<Span> camera_place_, sky_place_;
   std::vector<Span> combination_places_;     // by index of the combination
-  std::vector<scene::NameId> default_names_; // by symbol: once they were needed
+  std::vector<scene::NameId> default_names_; // by symbol: once needed
 };
 
 } // namespace rt::lang

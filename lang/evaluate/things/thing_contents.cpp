@@ -27,7 +27,7 @@ Target target_for(Content& content, const NodeType& type, Span owner) {
   return target;
 }
 
-// a | b | c is one union of three, not a union within a union; so are a & b & c, and a - b - c.
+// a | b | c is a single union of three, not a union within a union; likewise a & b & c, and a - b - c.
 Value ThingEvaluator::combine(Op op, const Value& left, const Value& right, NodeId node, const Context& context) {
   const Ast& ast = context.ast();
   if (errors_.is_unsure()) return Value::poison();
@@ -68,7 +68,7 @@ void ThingEvaluator::add_operand(const Value& value, Span place, Target& target)
     fail(errors::wrong_operand(place, fmt::format("{} is no solid, so it cannot be combined", describe(value))));
     return;
   }
-  // A list is the union of what is in it.
+  // A list is the union of its elements.
   const NodeType& type = program_.types.combination(scene::Combination::Operation::unite);
   Ref<Thing> whole = make_thing(heap_, type, place);
   whole->content = Ref<Content>(heap_.make<Content>(0));
@@ -86,7 +86,7 @@ Ref<Content> ThingEvaluator::content_cell(const Thing& thing) {
   return made;
 }
 
-// A composite's content; that of a def is made here, when it is needed first.
+// A composite's contents; those of a def are made here, when first needed.
 Ref<Content> ThingEvaluator::content(const Thing& thing) {
   thing.content = content_cell(thing);
   if (!thing.content->is_pending) return thing.content;
@@ -158,7 +158,7 @@ void ThingEvaluator::finish_content(Content& content, const NodeType& type, cons
   content.depth = static_cast<std::uint16_t>(target.depth + 1);
   limits_.check_depth(content.depth, place);
   content.members.shrink_to_fit();
-  // What is cut out of nothing is nothing, and so is what something shares with nothing.
+  // Subtracting from nothing gives nothing, and so does intersecting with nothing.
   content.is_cut =
       type.category == Category::combination && ((type.operation == Operation::subtract && target.is_first_missing) ||
                                                  (type.operation == Operation::intersect && target.is_one_missing));
@@ -166,7 +166,7 @@ void ThingEvaluator::finish_content(Content& content, const NodeType& type, cons
   content.is_nothing = content.members.empty();
 }
 
-// Goes on from what a composite holds already.
+// Continues from a composite's existing contents.
 void ThingEvaluator::begin_with(const Content& old, const NodeType& type, Content& members, Target& target) {
   members.members = old.members;
   if (old.shape) members.members = parts(evaluation_.builder.scene.shapes, *old.shape);

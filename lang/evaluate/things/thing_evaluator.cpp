@@ -12,7 +12,7 @@
 namespace rt::lang {
 namespace {
 
-/// Only the properties that all shapes have differ: the shape itself may be shared.
+/// If only the properties common to all shapes differ, the shape itself may be shared.
 bool is_common(const NodeType& type, std::uint16_t id) {
   return (id & parameter_bit) == 0 && type.properties[id].common != Common::none;
 }
@@ -39,7 +39,7 @@ Value ThingEvaluator::override_value(NodeId node, const Context& context) {
   Value base = expressions_.evaluate(parts.base, context);
   if (base.is(ValueKind::thing)) return changed_thing(base.thing(), node, context);
   if (base.is(ValueKind::record)) return changed_record(base.record(), node, context);
-  if (context.ast().kind(parts.block) == Kind::block) { // mistakes in it are found all the same
+  if (context.ast().kind(parts.block) == Kind::block) { // errors in it are found regardless
     Target nowhere;
     const ErrorReporter::Unsure unsure(errors_);
     blocks_.items(parts.block, context, nowhere);
@@ -124,7 +124,7 @@ Value ThingEvaluator::changed_thing(const Thing& old, NodeId node, const Context
   return thing;
 }
 
-// Where nothing is changed that its shape or content depends on.
+// If nothing is changed that its shape or contents depend on.
 void ThingEvaluator::share_inside(const Thing& old, const PropertyBlock& block, Thing& thing) {
   const bool keeps_inside =
       std::ranges::all_of(block.written, [&](const PropertyBlock::Written& w) { return is_common(*old.type, w.id); });
@@ -201,7 +201,7 @@ void ThingEvaluator::put_simple(NodeId node, const Context& context, Target& tar
 
 void ThingEvaluator::put(const Thing& thing, Target& target) {
   ThingView described{thing.type, thing.properties, thing.chain.get(), thing.span, &thing};
-  Ref<Content> inside; // holds it while it is put
+  Ref<Content> inside; // keeps it alive while it is put
   if (thing.type->is_composite() && writer_.takes(described, target)) inside = content(thing);
   described.inside = inside.get();
   writer_.put(described, target);

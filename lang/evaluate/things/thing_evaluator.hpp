@@ -10,7 +10,7 @@ namespace rt::lang {
 
 class BlockEvaluator;
 
-/// Makes things: copies with changes, what defs and combinations hold.
+/// Makes things: copies with changes, the contents of defs and combinations.
 class ThingEvaluator : private EvaluationPart {
 public:
   ThingEvaluator(Evaluation& evaluation, ExpressionEvaluator& expressions, BlockEvaluator& blocks, SceneWriter& writer)
@@ -26,7 +26,7 @@ public:
   Value as_material(const Record& record, Span place);
 
   void put(const Thing& thing, Target& target);
-  /// Puts a thing that is never a value: a literal with properties alone.
+  /// Adds a thing that is never a value: a literal with properties only.
   void put_simple(NodeId node, const Context& context, Target& target);
 
 private:

@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// One function a code of the parser's; what each means is in the registry. The message depends on the text around the
-/// place, so it is the caller's.
+/// One function per code of the parser's; the registry documents each. The message depends on the surrounding text, so
+/// the caller provides it.
 namespace rt::lang::errors {
 
 using SyntaxError = Diagnostic(Span place, std::string message, std::string label);
@@ -50,7 +50,7 @@ Diagnostic equals_for_colon(Span place, std::string message, std::string label =
 Diagnostic by_without_range(Span place, std::string message, std::string label = {});
 Diagnostic malformed_expect(Span place, std::string message, std::string label = {});
 
-/// Whether it is one of these, which parsing goes on after in another way.
+/// Whether it is one of these, after which parsing continues differently.
 bool is_hash_comment(const Diagnostic& diagnostic);
 bool is_vector_without_brackets(const Diagnostic& diagnostic);
 

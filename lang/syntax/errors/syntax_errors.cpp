@@ -19,7 +19,7 @@ std::string quoted(std::string_view text) {
   const bool is_cut = text.size() > longest;
   if (is_cut) {
     std::size_t length = longest;
-    while (length > 0 && (text[length] & 0xc0) == 0x80) --length; // not within a character
+    while (length > 0 && (text[length] & 0xc0) == 0x80) --length; // not inside a character
     text = text.substr(0, length);
   }
   return fmt::format("`{}{}`", text, is_cut ? "…" : "");
@@ -147,7 +147,7 @@ private:
     return make(found_span(), std::move(message), std::move(label));
   }
 
-  // What is a mistake wherever it stands.
+  // Errors that do not depend on the context.
   std::optional<Diagnostic> by_what_is_found() const {
     if (expected_ == Expected::string_end || expected_ == Expected::comment_end) return std::nullopt;
     if (item_tokens_ > 0 && is_reserved(classify(text(first_)))) {

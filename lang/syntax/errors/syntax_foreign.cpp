@@ -1,4 +1,4 @@
-// What comes from other languages, and from word processors.
+// Syntax of other languages, and characters inserted by word processors.
 
 #include "lang/syntax/errors/syntax_errors.hpp"
 #include "lang/text/characters.hpp"
@@ -47,7 +47,7 @@ constexpr std::array methods{
     ForeignWord{"mirror", "write `thing.mirror([x, y, z])`"},  ForeignWord{"color", "write `thing { material: red }`"},
 };
 
-// What POV-Ray's things are followed by, in its order.
+// What follows the names of POV-Ray's things, in its order.
 struct PovrayForm {
   std::string_view theirs, ours;
   std::array<std::string_view, 4> properties;

@@ -34,7 +34,7 @@ bool is_first_on_line(std::string_view text, std::uint32_t at) {
   return before == std::string_view::npos || text[before] == '\n';
 }
 
-// Where the brace stands that closes the block around.
+// The position of the brace that closes the enclosing block.
 std::uint32_t end_of_block(std::string_view text, std::uint32_t at) {
   int depth = 0;
   for (Token token = next_token(text, at);; token = next_token(text, token.end)) {
@@ -69,7 +69,7 @@ std::uint32_t skip_broken_item(std::string_view text, std::uint32_t from, std::s
       stack += c;
       break;
     case TokenKind::close: {
-      // A brace also closes what was forgotten within it; without a partner it ends the block around.
+      // A brace also closes unclosed brackets inside it; without a partner it ends the enclosing block.
       while (c == '}' && !stack.empty() && stack.back() != '{') stack.pop_back();
       if (!stack.empty() && c == partner(stack.back())) {
         stack.pop_back();
@@ -82,7 +82,7 @@ std::uint32_t skip_broken_item(std::string_view text, std::uint32_t from, std::s
       if (stack.empty()) return token.begin;
       break;
     case TokenKind::newline:
-      // Where a bracket was forgotten, the next line that looks like an item is one.
+      // If a bracket was left unclosed, the next line that looks like an item is one.
       while (!stack.empty() && stack.back() != '{' && looks_like_item(text, token.end)) stack.pop_back();
       if (stack.empty()) return token.begin;
       break;

@@ -13,7 +13,7 @@ namespace rt::lang {
 
 namespace {
 
-// What an operator of another language is called here.
+// This language's equivalent of another language's operator.
 std::string_view own_name(std::string_view op) {
   if (op == "&&") return "write `and`";
   if (op == "||") return "write `or`";

@@ -7,7 +7,7 @@
 namespace rt {
 namespace {
 
-// The boundaries of a solid along a ray, for as long as this exists.
+// The boundaries of a solid along a ray, for the lifetime of this object.
 class Boundaries {
 public:
   Boundaries(const CsgSolid& solid, const Ray& ray, TraceScratch& scratch)

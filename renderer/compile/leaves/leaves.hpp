@@ -10,9 +10,9 @@
 /// The leaves of the trees: sets of one kind each, whose callbacks the trees call.
 namespace rt {
 
-/// What every leaf carries beside its geometry.
+/// What every leaf has besides its geometry.
 struct LeafTag {
-  std::uint32_t slot; ///< its object's place in the aggregate, in the order of declaration; leaves may share one
+  std::uint32_t slot; ///< its object's index in the aggregate, in the order of declaration; leaves may share one
   std::uint32_t binding : 31;
   std::uint32_t casts_shadow : 1;
 
@@ -23,20 +23,20 @@ struct LeafTag {
 
 class SolidLeaves;
 
-/// The surface at a hit, on its way from the leaf's aggregate out to the scene. It is made where it is to stay: a copy
-/// would wait for every one of its parts to be written.
+/// The surface at a hit, on its way from the leaf's aggregate out to the scene. It is constructed in place: a copy
+/// would have to wait for every one of its parts to be written.
 struct LeafSurface {
   SurfacePoint point;
   BindingId binding = inherited_binding;                 ///< of the surface
-  BindingId leaf_binding = inherited_binding;            ///< of the leaf as a whole: it decides about the medium
+  BindingId leaf_binding = inherited_binding;            ///< of the leaf as a whole: it determines the medium
   Vec3 pattern_point{};                                  ///< unless the binding is inherited
   const SolidLeaves* solids = nullptr;                   ///< of a combination, whose medium may be another's
   std::optional<InterpolatedNormal> shading_normal = {}; ///< none: the point's
   std::optional<BindingId> medium = {};                  ///< as soon as it is known
 };
 
-/// What can be asked of a leaf whose type was erased: one table for each type of set. A leaf may hold several shapes;
-/// then `tag` and `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
+/// Operations on a type-erased leaf: one table for each type of set. A leaf may hold several shapes; then `tag` and
+/// `surface` count those, as the hits do, and `nearest` and `blocks` the leaves.
 struct LeafKind {
   LeafTag (*tag)(const void* leaves, std::uint32_t index);
   LeafSurface (*surface)(const void* leaves, const MaterialBindings& bindings, const Ray& ray, const RayHit& hit);
@@ -57,7 +57,7 @@ inline constexpr LeafKind leaf_kind{
       return static_cast<const Leaves*>(leaves)->blocks(index, query);
     }};
 
-/// Shapes of one kind that are placed in one way.
+/// Shapes of one kind that are placed in the same way.
 template <class Placed>
 class ShapeLeaves {
 public:
@@ -108,13 +108,13 @@ private:
   std::vector<LeafTag> tags_;
 };
 
-/// A combination where it stands. The solid may be shared.
+/// A combination as placed. The solid may be shared.
 class SolidLeaves {
 public:
   struct PlacedSolid {
     const CsgSolid* solid;
-    bool is_in_place;   ///< the solid was made in the aggregate's space, and the maps have no meaning
-    bool owns_material; ///< it writes one itself
+    bool is_in_place;   ///< the solid was built in the aggregate's space, and the maps are meaningless
+    bool owns_material; ///< it has one itself
     Affine to_outer, to_local;
     Box3 box;
   };
@@ -129,8 +129,8 @@ public:
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
   LeafSurface surface(const MaterialBindings& bindings, const Ray& ray, const RayHit& hit) const;
 
-  /// Whose material the inside is of: the combination's own, else its leftmost part's that has an index of refraction.
-  /// `inherited` is the binding that its parts inherit: its own if it has one.
+  /// The material of the interior: the combination's own, else that of its leftmost part that has an index of
+  /// refraction. `inherited` is the binding that its parts inherit: its own if it has one.
   BindingId medium(std::uint32_t i, const MaterialBindings& bindings, BindingId inherited) const;
 
 private:
@@ -140,15 +140,15 @@ private:
   std::vector<LeafTag> tags_;
 };
 
-/// A group that stands in several places is an aggregate of its own, and each of its places a leaf. So is a part of the
-/// scene that was compiled by itself.
+/// A group that is placed several times is a separate aggregate, and each of its placements a leaf. So is a part of the
+/// scene that was compiled separately.
 class InstanceLeaves {
 public:
   struct Instance {
     const Aggregate* aggregate;
     Affine to_outer, to_local;
-    std::uint64_t order; ///< how many objects come before it in the aggregate that it stands in
-    /// Of a part: where it begins in the scene's list. It was compiled in place, so rays and points need no map.
+    std::uint64_t order; ///< how many objects precede it in the aggregate that contains it
+    /// For a part: where it starts in the scene's list. It was compiled in place, so rays and points need no map.
     std::optional<std::uint32_t> part_begin = {};
   };
 
@@ -160,7 +160,7 @@ public:
 
   void nearest(std::uint32_t i, NearestQuery& query) const;
   bool blocks(std::uint32_t i, ShadowQuery& query) const;
-  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never: hits are on what is in it
+  LeafSurface surface(const MaterialBindings&, const Ray&, const RayHit&) const; // never called: hits are within
 
 private:
   std::vector<Instance> instances_;

@@ -8,8 +8,8 @@
 namespace rt {
 namespace {
 
-// Puts the spheres first whose centre lies below `value`, and gives their number. Without a branch that depends on it:
-// nothing could predict those.
+// Moves the spheres whose centre is below `value` to the front and returns their number. Branchless on the comparison,
+// which no processor could predict.
 template <class Added>
 std::size_t split(std::span<Added> spheres, std::size_t axis, double value) {
   std::size_t below = 0;
@@ -21,8 +21,8 @@ std::size_t split(std::span<Added> spheres, std::size_t axis, double value) {
   return below;
 }
 
-// Does to the centres' coordinate along an axis what std::nth_element does, and gives it the last few; or what is left
-// if the samples were misleading for too long.
+// std::nth_element by the centres' coordinate along an axis; delegates to it for the last few, or if the samples were
+// misleading for too long.
 template <class Added>
 void select(std::span<Added> spheres, std::size_t n, std::size_t axis) {
   constexpr std::size_t sample_size = 15, few = 64;
@@ -44,8 +44,8 @@ void select(std::span<Added> spheres, std::size_t n, std::size_t axis) {
                    [axis](const Added& a, const Added& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
 }
 
-// Orders the spheres so that each pack's are neighbours: the whole is cut in two across its longest side, the cut
-// falling between two packs, then each half, and so on.
+// Orders the spheres so that each pack's are neighbours: the whole is split in two across its longest side, between two
+// packs, then each half, and so on.
 template <class Added>
 void group_neighbours(std::span<Added> spheres) {
   while (spheres.size() > SpherePack::size) {

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Spheres stand eight to a leaf, each with its neighbours: a tree an eighth as large, which waits less for memory, and
-/// one call of a leaf instead of eight. What is hit is still one sphere, and `tag` and `surface` are about that.
+/// Spheres are stored eight to a leaf, each with its neighbours: the tree is an eighth the size, which means fewer
+/// cache misses, and one call instead of eight. A hit is still with a single sphere; `tag` and `surface` refer to it.
 template <>
 class ShapeLeaves<Baked<SphereGeometry>> {
 public:
@@ -22,7 +22,7 @@ public:
   }
   void reserve(std::size_t count) { added_.reserve(count); }
   void add(const Baked<SphereGeometry>& placed, LeafTag tag) { added_.push_back({placed.shape, tag}); }
-  /// Makes leaves of what was added.
+  /// Makes leaves of the spheres that were added.
   void arrange();
 
   [[gnu::always_inline]] void nearest(std::uint32_t i, NearestQuery& query) const {

@@ -9,7 +9,7 @@
 namespace rt {
 namespace {
 
-// By reference and not as results: that would depend on what the compiler may assume of the processor.
+// By reference rather than by value: the ABI of vector values depends on the instruction set.
 template <class Lanes>
 [[gnu::always_inline]] inline void load(Lanes& lanes, const double* from) {
   std::memcpy(&lanes, from, sizeof lanes);
@@ -22,7 +22,7 @@ template <class Lanes>
 
 } // namespace
 
-// Those of the spheres from `first` on, as many as there are lanes. Gives what tells whether a sphere is met.
+// For the spheres from `first` on, as many as there are lanes. Outputs what determines whether a sphere is hit.
 template <class Lanes>
 [[gnu::always_inline]] inline void SpherePackChords::find_lanes(const SpherePack& pack, std::uint32_t first,
                                                                 const Ray& ray, double inverse, Lanes& half_squared,
@@ -86,7 +86,7 @@ __attribute__((target("avx2"))) void SpherePackChords::find_by_four(SpherePackCh
   chords.find_all<Four>(pack, ray, inverse);
 }
 
-// The compiler (g++ 12) makes a detour of comparisons of eight that are not written as masks.
+// The compiler (g++ 12) generates slow code for comparisons of eight that are not written as masks.
 __attribute__((target("avx512f,avx512dq"))) void
 SpherePackChords::find_by_eight(SpherePackChords& chords, const SpherePack& pack, const Ray& ray, double inverse) {
   Eight half_squared, power, along;

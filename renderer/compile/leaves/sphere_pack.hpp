@@ -8,23 +8,23 @@
 
 namespace rt {
 
-/// Eight spheres that are tested at a time.
+/// Eight spheres that are tested at once.
 struct alignas(64) SpherePack {
   static constexpr std::uint32_t size = 8;
   std::array<double, size> x, y, z; ///< of the centres
-  std::array<double, size> radius;  ///< not a number where there is no sphere
+  std::array<double, size> radius;  ///< NaN where there is no sphere
 
   SphereGeometry sphere(std::uint32_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
 };
 
-/// The chords that a ray's line makes of eight spheres. The arithmetic is that of `intersect` for one sphere, operation
-/// by operation, and so are the chords, bit by bit, whatever the processor's registers hold.
+/// The chords of a ray's line in eight spheres. The arithmetic is that of `intersect` for one sphere, operation by
+/// operation, so the chords are bit-identical, whatever the width of the processor's registers.
 class SpherePackChords {
 public:
-  /// A way to find them: one by one on any machine; on x86-64 with two numbers in a register, with four where the
-  /// processor has AVX2, with eight where it has AVX-512.
+  /// A way to find them: one by one on any machine; on x86-64 two at a time, four at a time with AVX2, eight at a time
+  /// with AVX-512.
   using Find = void(SpherePackChords&, const SpherePack&, const Ray&, double);
-  /// All that this processor has, the fastest last.
+  /// All that this processor supports, the fastest last.
   static std::span<Find* const> ways();
 
   /// `inverse` is 1 / |direction|².
@@ -32,7 +32,7 @@ public:
     find(*this, pack, ray, inverse);
   }
 
-  /// A bit for each sphere: the line meets it, and the ray is not on its way out. Only those have chords.
+  /// A bit for each sphere: the line hits it, and not only behind the ray's origin. Only those have chords.
   unsigned meets() const { return meets_; }
   SphereChord operator[](std::uint32_t i) const { return {middle_[i], half_squared_[i], product_[i]}; }
 

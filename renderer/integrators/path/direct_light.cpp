@@ -10,9 +10,9 @@
 namespace rt {
 namespace {
 
-// A lamp's point is hit where it was drawn, up to this share of the distance.
+// A lamp's point is hit where it was sampled, up to this fraction of the distance.
 constexpr double same_place = 1e-7;
-// Panes of glass on the way to a lamp: where more stand, they let nothing by.
+// Panes of glass on the way to a lamp: if there are more, they transmit nothing.
 constexpr int most_panes = 1 << 10;
 
 } // namespace
@@ -25,7 +25,7 @@ struct DirectLighting::LampLight {
 // A ray on its way to a lamp.
 struct DirectLighting::Sight {
   Walk walk;
-  double distance; // that is left
+  double distance; // the remaining distance
   Color passed = white;
 };
 
@@ -43,7 +43,7 @@ std::optional<DirectLighting::LampLight> DirectLighting::reached(const Scatterin
   return LampLight{sample, reflected};
 }
 
-// Glass lets a lamp's light by unbent, as in Whitted's mode: bent, it would never find a lamp without size.
+// Glass transmits a lamp's light unbent, as in Whitted mode: bent, it would never reach a lamp without size.
 Color DirectLighting::unblocked(const ScatteringPoint& at, const Light& lamp, const LampLight& light) {
   if (!lamp.shadows) return light.reflected;
   ++counts_.shadow;
@@ -54,7 +54,7 @@ Color DirectLighting::unblocked(const ScatteringPoint& at, const Light& lamp, co
   return light.reflected * scene_.transmittance(ray, OwnRules::shadow_range(light.sample.distance), scratch_);
 }
 
-// What all that is on the straight way to a lamp lets by, media between surfaces, too.
+// The transmittance of all that is on the straight line to a lamp, including media between surfaces.
 Color DirectLighting::filtered(const ScatteringPoint& at, const LightSample& lamp) {
   Sight sight = sight_from(at, lamp.to_light, OwnRules::shadow_range(lamp.distance).upper);
   for (int panes = 0; panes < most_panes; ++panes) {
@@ -85,8 +85,8 @@ Color DirectLighting::from_one_lamp(const ScatteringPoint& at, double number) {
   for (const Light& lamp : lamps_.sizeless) {
     const auto light = reached(at, lamp);
     if (!light) continue;
-    // Each takes the place of those before it with the probability that is its due, and what is left of the number is
-    // as good as new.
+    // Reservoir sampling: each replaces those before it with its due probability, and what is left of the number is
+    // again uniform.
     const double weight = max_component(light->reflected), probability = weight / (sum += weight);
     if (number < probability) {
       picked = &lamp, picked_light = light, picked_weight = weight;
@@ -120,7 +120,7 @@ std::optional<DirectLighting::LampPoint> DirectLighting::sight_of(std::uint32_t 
   return std::nullopt;
 }
 
-// What is let by on the way to the lamp, if it is seen at all.
+// The transmittance on the way to the lamp, if it is seen at all.
 std::optional<Color> DirectLighting::sight_of_lamp(std::uint32_t lamp, const SizedLamps::Direction& way,
                                                    const ScatteringPoint& at) {
   ++counts_.shadow;

@@ -11,26 +11,26 @@
 
 namespace rt {
 
-/// What lamps give to a point, without further surfaces: next event estimation.
+/// Direct light from lamps at a point: next event estimation.
 class DirectLighting {
 public:
   /// All must outlive it.
   DirectLighting(const PathScene& scene, RayCounts& counts)
       : path_scene_(scene), scene_(scene.scene), lamps_(scene.lamps), counts_(counts), walker_(scene.scene) {}
 
-  /// What the lamps without size reflect off the point: from all of them, if there are not too many, or from one that
-  /// stands for all, picked for `number` by what it would give without shadows.
+  /// What the lamps without size reflect off the point: from all of them if there are not too many, else from one that
+  /// represents all, chosen with `number` by what it would contribute without shadows.
   Color from_lamps(const ScatteringPoint& at);
   Color from_one_lamp(const ScatteringPoint& at, double number);
 
-  /// What the shapes that shine reflect off the point, estimated by asking one of them, weighted against finding it by
-  /// chance. `numbers` are u and v on the lamp, and the choice.
+  /// What the shapes that emit light reflect off the point, estimated by sampling one of them, weighted against hitting
+  /// it by BSDF sampling. `numbers` are u and v on the lamp, and the choice.
   Color from_emitters(const ScatteringPoint& at, const std::array<double, 4>& numbers);
 
   /// The same for the lamps that have a size.
   Color from_sized_lamps(const ScatteringPoint& at, const std::array<double, 4>& numbers);
 
-  /// Up to this many lamps all are asked.
+  /// Up to this many lamps are all sampled.
   static constexpr std::size_t few_lamps = 16;
 
 private:
@@ -52,7 +52,7 @@ private:
   const Lamps& lamps_;
   RayCounts& counts_;
   TraceScratch scratch_;
-  Walker walker_; // to lamps
+  Walker walker_; // of shadow rays
   MaterialValues values_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// What paths need of a scene, made once for all threads.
+/// What the path tracer needs of a scene, made once for all threads.
 struct PathScene {
   /// The scene must outlive it.
   explicit PathScene(const CompiledScene& compiled)

@@ -13,12 +13,12 @@
 namespace rt {
 namespace {
 
-// Surfaces that a path may cross unbent: they are no scattering, and where nothing but they are left this many end it.
+// Surfaces that a path may cross unbent: they do not scatter, and if nothing else ends a path this many do.
 constexpr int most_crossings = 1 << 20;
 // From this surface on, the first being 0, paths may end by Russian roulette.
 constexpr int first_roulette = 3;
 
-// Groups of numbers: two of the camera's, then three of each surface that is met.
+// Groups of numbers: two for the camera, then three for each surface that is hit.
 constexpr std::uint32_t scattering_group(int vertex) {
   return first_free_group + 3 * static_cast<std::uint32_t>(vertex);
 }
@@ -36,10 +36,10 @@ struct PathTracer::Path {
   const SampleStream& stream;
   Color throughput = white;
   Color sum = black;
-  int vertices = 0;            // surfaces met
-  int depth = 0;               // those that the path did not pass unbent
-  Vec3 from = walk.ray.origin; // where its direction was last changed
-  // Whether that was by chance among many, so that a lamp could have been asked instead, and how densely it was drawn.
+  int vertices = 0;            // surfaces hit
+  int depth = 0;               // those that the path did not cross unbent
+  Vec3 from = walk.ray.origin; // where its direction last changed
+  // Whether that was sampled from a density, so that a lamp could have been sampled instead, and how large that was.
   bool has_rival = false;
   double density = 0;
 };
@@ -64,7 +64,7 @@ Color PathTracer::follow(const Ray& ray, const RayHit& first, const SampleStream
   return path.sum;
 }
 
-// The path starts at a white Lambert surface that is nowhere: π times what that reflects.
+// The path starts at a white Lambertian surface of no extent: π times what that reflects.
 Color PathTracer::irradiance(const Vec3& point, const Vec3& normal, const SampleStream& stream,
                              const std::vector<Medium>& inside) {
   static const MaterialValues white_matte{.diffuse = white};
@@ -97,8 +97,8 @@ bool PathTracer::intersect(Path& path, const RayHit& hit) {
   return path.depth > scene_.max_depth() ? passes(path, at) : scatter(path, at);
 }
 
-// The light of a lamp with a size before whatever the path meets at `end`: true where the path ends there. A sun is
-// seen where it meets nothing, before the rest of the sky.
+// The light of a lamp with a size in front of whatever the path hits at `end`: true if the path ends there. A sun is
+// seen where it hits nothing, in front of the rest of the sky.
 bool PathTracer::add_lamp(Path& path, double end) const {
   const SizedLamps& lamps = lamps_.sized;
   if (lamps.is_empty()) return false;
@@ -133,7 +133,7 @@ void PathTracer::add_emission(Path& path, const Color& emission, const Intersect
   path.sum += path.throughput * emission * weight;
 }
 
-// False: the path ends.
+// False if the path ends.
 bool PathTracer::scatter(Path& path, const ScatteringPoint& at) {
   const auto numbers = path.stream.group(scattering_group(path.vertices));
   if (at.bsdf.has_spread()) path.sum += path.throughput * direct_light(path, at);
@@ -146,7 +146,7 @@ bool PathTracer::scatter(Path& path, const ScatteringPoint& at) {
     return true;
   }
   ++(!sample->is_perfect ? counts_.scattered : sample->wi.z < 0 ? counts_.refracted : counts_.reflected);
-  // From the first surface on that scatters in more than single directions, what casts no shadow is not there.
+  // From the first surface on that has a non-specular lobe, what casts no shadow is ignored.
   path.walk.meets_casting_only |= !sample->is_perfect;
   path.has_rival = !sample->is_perfect;
   path.density = sample->density;
@@ -155,7 +155,7 @@ bool PathTracer::scatter(Path& path, const ScatteringPoint& at) {
   return path.depth++ < first_roulette || survives(path, numbers[3]);
 }
 
-// Once it must not be scattered any more, a path still crosses what does not bend it, as rays to lamps do.
+// When it must not be scattered any more, a path still crosses what does not bend it, as shadow rays do.
 bool PathTracer::passes(Path& path, const ScatteringPoint& at) {
   if (at.bsdf.passed_straight() == black) return false;
   path.throughput *= at.bsdf.passed_straight();
@@ -163,7 +163,7 @@ bool PathTracer::passes(Path& path, const ScatteringPoint& at) {
   return true;
 }
 
-// As if nothing had happened: the last scattering's chance of asking a lamp stays as it is.
+// As if nothing had happened: the density of the last scattering event still applies.
 void PathTracer::go_straight(Path& path, const ScatteringPoint& at) {
   ++counts_.refracted;
   walker_.leave(path.walk, at.surface, at.is_boundary, path.walk.ray.direction);

@@ -12,10 +12,10 @@
 
 namespace rt {
 
-/// Follows paths from the camera, for one thread. At each surface that scatters light in more than single directions it
-/// is looked for in two ways: a lamp is asked (next event), and the path goes on and may find one by chance. What both
-/// can find is weighted by the balance heuristic (E. Veach, Robust Monte Carlo Methods for Light Transport Simulation,
-/// 1997, section 9.2).
+/// Traces paths from the camera, for one thread. At each surface that does not scatter in discrete directions only,
+/// light is sampled in two ways: by a lamp (next event estimation), and by the path's next direction, which may hit
+/// one. What both can find is weighted by the balance heuristic (E. Veach, Robust Monte Carlo Methods for Light
+/// Transport Simulation, 1997, section 9.2).
 class PathTracer {
 public:
   /// All must outlive the tracer.
@@ -24,7 +24,7 @@ public:
   /// As `Integrator::Worker::radiance`.
   void radiance(std::span<const Ray> rays, std::span<const SampleStream> streams, const std::vector<Medium>& inside,
                 std::span<Color> results);
-  /// One estimate of the light that falls on a small surface at a point, from the side that its unit normal points to.
+  /// One estimate of the irradiance at a point, on the side that its unit normal points to.
   Color irradiance(const Vec3& point, const Vec3& normal, const SampleStream& stream,
                    const std::vector<Medium>& inside);
   const RayCounts& counts() const { return counts_; }

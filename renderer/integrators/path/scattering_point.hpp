@@ -9,29 +9,29 @@
 
 namespace rt {
 
-/// Where a path meets a surface, and how light is scattered there.
+/// Where a path hits a surface, and how it scatters light there.
 struct ScatteringPoint {
   Surface surface;
-  Frame frame; ///< about the shading normal, turned to the viewer
+  Frame frame; ///< about the shading normal, facing the viewer
   Bsdf bsdf;
-  bool is_boundary;     ///< of a medium
-  const Walker* walker; ///< that has come there
+  bool is_boundary;     ///< it bounds a medium
+  const Walker* walker; ///< that arrived there
   Walk walk;
 
-  /// What of light of radiance 1 from a small solid angle about `direction` goes to the viewer, for each solid angle.
+  /// The radiance towards the viewer per unit radiance and solid angle of light from `direction`: BSDF times cosine.
   Color reflected(const Vec3& direction) const {
     const Vec3 wi = frame.local(direction);
     return bsdf.evaluate(wi) * std::abs(wi.z);
   }
-  /// How densely a path goes on in a direction, per solid angle.
+  /// The density, per solid angle, with which a path continues in a direction.
   double density(const Vec3& direction) const { return bsdf.density(frame.local(direction)); }
 };
 
-/// Where the walker has come to a surface of these values.
+/// Where the walker has reached a surface with these values.
 ScatteringPoint scattering_point(const PathScene& scene, const Walker& walker, const Walk& walk, const Surface& surface,
                                  const MaterialValues& values);
 
-/// What is given off by a material of these values.
+/// The light emitted by a material with these values.
 inline Color emission(const MaterialValues& values) {
   return values.color * (1 - values.refract) * values.emission;
 }

@@ -10,12 +10,12 @@ namespace rt {
 
 struct MaterialValues;
 
-/// A ray on its way from surface to surface.
+/// A ray traced from surface to surface.
 struct Walk {
   Ray ray;
-  MediumStacks::List inside{};     ///< the solids that it is inside of
-  Contacts::Position contact{};    ///< where it is among surfaces that touch
-  bool meets_casting_only = false; ///< not what casts no shadow
+  MediumStacks::List inside{};     ///< the media that contain it
+  Contacts::Position contact{};    ///< where it is among touching surfaces
+  bool meets_casting_only = false; ///< ignores what casts no shadow
 };
 
 /// What a walk has met, after a length.
@@ -25,7 +25,7 @@ struct Intersection {
   Surface surface;
 };
 
-/// Leads one ray at a time through a scene, its media and surfaces that touch. Each thread has its own.
+/// Traces one ray at a time through a scene, its media and touching surfaces. Each thread has its own.
 class Walker {
 public:
   /// The scene must outlive it.
@@ -36,19 +36,19 @@ public:
   /// The same walk as that of another walker.
   Walk start_like(const Walker& other, const Walk& walk);
 
-  /// The nearest hit on the way: none among surfaces that touch.
+  /// The nearest hit; none if it is among touching surfaces.
   RayHit nearest(const Walk& walk);
   /// What the walk meets there; nothing where it meets nothing any more.
   std::optional<Intersection> intersect(Walk& walk, RayHit nearest);
   std::optional<Intersection> next(Walk& walk) { return intersect(walk, nearest(walk)); }
 
-  /// What the medium leaves of light on a way of this length.
+  /// The transmittance of the medium over this length.
   Color left_after(const Walk& walk, double length) const;
 
-  /// The ior behind the surface that was met by the ior before it, as its mirror and what passes it ask.
+  /// The ior before the surface divided by the ior behind it, for reflection and refraction.
   double eta(const Walk& walk, const Surface& surface, const MaterialValues& values) const;
 
-  /// The walk goes on from that surface, on either side. `is_boundary`: what is behind it is another medium.
+  /// The walk continues from that surface, on either side. `is_boundary`: a different medium is behind it.
   void leave(Walk& walk, const Surface& surface, bool is_boundary, const Vec3& direction);
 
 private:

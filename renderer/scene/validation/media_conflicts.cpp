@@ -7,8 +7,8 @@
 namespace rt::scene {
 namespace {
 
-/// Objects of one list on the way through it, and the material that they inherit. No recursion: scenes may nest as
-/// deep as they like.
+/// The objects of a list during its traversal, and the material that they inherit. Not recursive: scenes may be nested
+/// arbitrarily deep.
 struct ListFrame {
   std::span<const Object> objects;
   MaterialId inherited;

@@ -7,15 +7,15 @@
 
 namespace rt::scene {
 
-/// A combination whose parts refract, or mirror by Fresnel's equations, as if they were different media. One solid is
-/// one medium: its own material's, else its parts'.
+/// A combination whose parts refract, or reflect by Fresnel's equations, as if they were different media. A solid is a
+/// single medium: its own material's, else its parts'.
 struct MediaConflict {
   std::uint32_t combination; ///< its index among the scene's combinations
   double first_ior, second_ior;
 };
 
-/// Those among `objects` and in their groups, by the materials that they inherit there. The scene's references must be
-/// valid.
+/// Those among `objects` and in their groups, given the materials that they inherit there. The scene's references must
+/// be valid.
 std::vector<MediaConflict> media_conflicts(const Scene& scene, std::span<const Object> objects);
 
 } // namespace rt::scene

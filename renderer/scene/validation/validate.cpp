@@ -17,7 +17,7 @@ std::string at(std::string_view list, std::size_t index) {
   return fmt::format("{}[{}]", list, index);
 }
 
-/// Looks at what it is led to, everything once, and keeps what is wrong.
+/// Visits everything reachable once and collects what is wrong.
 class Validation {
 public:
   explicit Validation(const Scene& scene) : scene_(scene) {
@@ -41,7 +41,7 @@ public:
 private:
   enum class State : std::uint8_t { unknown, being_checked, checked };
 
-  // Objects of one list on the way through it. No recursion: scenes may nest as deep as they like.
+  // The objects of a list during its traversal. Not recursive: scenes may be nested arbitrarily deep.
   struct ListFrame {
     std::span<const Object> objects;
     std::size_t first;
@@ -110,7 +110,7 @@ template <class T, class PathOf>
 bool Validation::check_thing(const T& thing, const PathOf& path_of) {
   const std::size_t before = flaws.size();
   check_fields(fields(static_cast<const T*>(nullptr)), &thing, path_of);
-  if (flaws.size() > before) return false; // `check` takes values that keep their constraints
+  if (flaws.size() > before) return false; // `check` requires values that satisfy their constraints
   const std::optional<Problem> problem = check(thing);
   if (problem) add(Kind::thing, joined(path_of(), problem->field), problem->message);
   return !problem;
@@ -244,7 +244,7 @@ void Validation::check_pattern(std::size_t index) {
       pattern.layout);
 }
 
-/// The patterns that an owner's fields refer to are among the first `patterns`: none is part of itself.
+/// The patterns that an owner's fields refer to are among the first `patterns`: none contains itself.
 void Validation::check_paints(std::span<const Field> fields, const void* owner, std::size_t patterns,
                               const std::string& where) {
   for (const Field& field : fields) {
@@ -258,7 +258,7 @@ void Validation::check_paints(std::span<const Field> fields, const void* owner, 
   }
 }
 
-/// What a pattern shows must be what the property would take by itself. Of colours all patterns ask the same.
+/// What a pattern gives must be what the property would itself accept. For colours all patterns require the same.
 void Validation::check_shown(const Field& property, PatternId id, const std::string& where, std::set<PatternId>& seen) {
   if (static_cast<std::size_t>(id) >= scene_.patterns.size() || !seen.insert(id).second) return;
   const auto look_at = [&]<class P>(const P& layout) {

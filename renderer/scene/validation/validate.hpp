@@ -12,27 +12,27 @@ namespace rt::scene {
 /// What is wrong with a description, and where.
 struct Flaw {
   enum class Kind : std::uint8_t {
-    value,     ///< a number is not finite, or breaks its field's constraint
-    thing,     ///< what a shape, light or camera is made of does not go together: see its `check`
-    transform, ///< a placement flattens, or stretches without end
+    value,     ///< a number is not finite, or violates its field's constraint
+    thing,     ///< the fields of a shape, light or camera are inconsistent: see its `check`
+    transform, ///< a placement is singular or not finite
     operand,   ///< of a combination: it is open, or a group
     media,     ///< the parts of one solid refract differently
-    reference, ///< to what is not there, or to the thing itself
+    reference, ///< to something that does not exist, or to itself
   };
   Kind kind;
   std::string path;    ///< "objects[2].operands[0].radius", "materials[4].ior"; empty for the scene's own fields
-  std::string message; ///< a sentence without its end
+  std::string message; ///< a sentence without the full stop
 };
 
-/// All flaws of a description, in no time that a picture of it would not take many times over. Without one it can be
-/// rendered, exported and asked about.
+/// All flaws of a description, in far less time than a picture of it would take. A scene without any can be rendered,
+/// exported and queried.
 std::vector<Flaw> validate(const Scene& scene);
 /// The same for ranges of the scene's objects and what they refer to, without the rest.
 std::vector<Flaw> validate(const Scene& scene, std::span<const std::span<const Object>> ranges);
 /// The same for the scene's own fields, its camera and its lights.
 std::vector<Flaw> validate_settings(const Scene& scene);
 
-/// A description is to be rendered or exported that does not pass `validate`.
+/// Thrown when a description that does not pass `validate` is to be rendered or exported.
 class InvalidScene : public std::invalid_argument {
 public:
   explicit InvalidScene(std::vector<Flaw> flaws);
@@ -42,13 +42,13 @@ private:
   std::vector<Flaw> flaws_;
 };
 
-/// Throws InvalidScene where there is a flaw.
+/// Throws InvalidScene if there are flaws.
 void require_none(std::vector<Flaw> flaws);
-/// The scene, which must be valid: throws InvalidScene.
+/// Returns the scene if it is valid; else throws InvalidScene.
 const Scene& validated(const Scene& scene);
 
-/// The inverse of placements that are multiplied out: each has one, but where many are nested the product may be beyond
-/// what numbers hold. Throws InvalidScene then.
+/// The inverse of composed placements: each has one, but for deep nesting the product may overflow or underflow. Throws
+/// InvalidScene then.
 Affine inverse_of_nested(const Affine& map);
 
 } // namespace rt::scene

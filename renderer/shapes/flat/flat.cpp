@@ -23,8 +23,8 @@ bool encloses_origin(std::span<const Vec3> outline, const Ray& ray) {
   return is_inside;
 }
 
-/// By rounding, a ray that is all but within the plane may meet it anywhere; but it does so no nearer and no farther
-/// off than the corners are.
+/// Due to rounding, a ray that is almost within the plane may hit it anywhere; but it does so no nearer and no farther
+/// than the corners are.
 double within_reach(std::span<const Vec3> outline, const Ray& ray, double t) {
   const double inverse = 1 / dot(ray.direction, ray.direction);
   double least = std::numeric_limits<double>::infinity(), most = -least;

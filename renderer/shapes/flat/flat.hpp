@@ -5,20 +5,20 @@
 
 #include <span>
 
-/// What triangles, quads and polygons share: whether a ray passes through the outline of a flat face.
+/// What triangles, quads and polygons share: whether a ray passes through the outline of a planar face.
 ///
 /// The corners are projected along the ray, so that it becomes the origin of a plane (as in Woop, Benthin and Wald,
-/// Watertight Ray/Triangle Intersection, JCGT 2013, but without division). A corner's projection depends on nothing but
-/// the corner and the ray, and the sign of an edge's determinant is never wrong, at worst rounded to 0; 0 counts as on
-/// the edge, and the edge belongs to the face. Hence no ray slips between two faces that share an edge with the same
-/// end points, of whatever kind they are; a ray that meets the edge exactly hits both.
+/// Watertight Ray/Triangle Intersection, JCGT 2013, but without division). A corner's projection depends only on the
+/// corner and the ray, and the sign of an edge's determinant is never wrong, at worst rounded to 0; 0 counts as on the
+/// edge, and the edge belongs to the face. Hence no ray slips between two faces that share an edge with the same end
+/// points, whatever their kinds; a ray that hits the edge exactly hits both.
 namespace rt {
 
 struct Projected {
   double x, y;
 };
 
-/// Along a direction whose largest component is Axis; `corner` is relative to the ray's origin. Enlarged by that
+/// Along a direction whose largest component is Axis; `corner` is relative to the ray's origin. Scaled by that
 /// component.
 template <std::size_t Axis>
 constexpr Projected projected(const Vec3& corner, const Vec3& direction) {
@@ -27,7 +27,7 @@ constexpr Projected projected(const Vec3& corner, const Vec3& direction) {
           corner[v] * direction[Axis] - corner[Axis] * direction[v]};
 }
 
-/// Positive if the origin lies to the left of the way from p to q. Swapping p and q changes the sign and nothing else.
+/// Positive if the origin is to the left of the line from p to q. Swapping p and q only changes the sign.
 constexpr double side_of_origin(const Projected& p, const Projected& q) {
   return p.x * q.y - q.x * p.y;
 }
@@ -42,7 +42,7 @@ decltype(auto) along_largest(const Vec3& direction, F&& f) {
 }
 
 /// The crossing of a ray with the face that `outline` encloses, in a plane perpendicular to `normal`; inside is where a
-/// line outwards meets the outline an odd number of times, edges included.
+/// line outwards crosses the outline an odd number of times, edges included.
 bool intersect_face(std::span<const Vec3> outline, const Vec3& normal, const Ray& ray, const Interval& range, Hit& hit);
 
 /// A point of the plane through `anchor`; `extent` is the face's size.

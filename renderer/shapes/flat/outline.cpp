@@ -67,7 +67,7 @@ bool cross_each_other(const Point2& a, const Point2& b, const Point2& c, const P
   return area(a, b, c) * area(a, b, d) < 0 && area(c, d, a) * area(c, d, b) < 0;
 }
 
-/// Along the axis nearest to the normal, so that shapes keep their area as far as possible.
+/// Along the axis closest to the normal, so that shapes keep as much of their area as possible.
 std::vector<Point2> flattened(std::span<const Vec3> points, const Vec3& normal) {
   const Vec3 n = abs(normal);
   const std::size_t dropped = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
@@ -88,7 +88,7 @@ double crowding(const std::vector<Point2>& p, double Point2::*x) {
   return sum / (high - low);
 }
 
-/// The first pair of edges found to cross, as the numbers of their first points.
+/// The first pair of edges found to cross, by the indices of their first points.
 std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(std::vector<Point2> p) {
   const std::size_t n = p.size();
   if (crowding(p, &Point2::y) < crowding(p, &Point2::x)) {

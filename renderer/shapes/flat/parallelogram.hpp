@@ -11,8 +11,8 @@ struct Parallelogram {
   Vec3 normal; ///< unit
 };
 
-/// The outline itself where it is a parallelogram (to 1e-12 of its size); else a rectangle around it in its plane,
-/// along its first edge.
+/// The outline itself if it is a parallelogram (to 1e-12 of its size); else a bounding rectangle in its plane, along
+/// its first edge.
 Parallelogram parallelogram_around(std::span<const Vec3> outline, const Vec3& normal);
 
 double area(const Parallelogram& face);

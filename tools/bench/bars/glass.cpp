@@ -17,7 +17,7 @@ struct Prices {
   double ours = 1e9, theirs = 1e9; // user seconds
 };
 
-// Turn by turn, so that what else the machine does falls on all alike.
+// In turns, so that other load on the machine affects all alike.
 std::array<Prices, depths.size()> prices(const std::string& program, const std::string& folder) {
   std::array<Prices, depths.size()> result;
   for (int turn = 0; turn < runs; ++turn) {

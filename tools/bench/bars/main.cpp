@@ -17,7 +17,7 @@
 #include <iterator>
 #include <regex>
 
-// Measures what the comparison with other programs leaves out, and prints it as a table in Markdown.
+// Measures what the comparison with other programs does not cover, and prints it as a Markdown table.
 namespace rt::tools::bench {
 namespace {
 
@@ -69,7 +69,7 @@ double trace_seconds(const scene::Scene& scene, int threads) {
   return render(scene, options).statistics.trace_seconds;
 }
 
-// Turn by turn, so that what else the machine does falls on both alike.
+// In turns, so that other load on the machine affects both alike.
 void threads() {
   const scene::Scene scene = describe(make_layout("sphereflake_4"));
   double one = trace_seconds(scene, 1), two = trace_seconds(scene, 2);

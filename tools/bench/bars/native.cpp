@@ -46,7 +46,7 @@ void attach(RTCScene scene, RTCGeometry geometry) {
   rtcReleaseGeometry(geometry);
 }
 
-// Embree has no planes: a square, far larger than the scene, in the place of one.
+// Embree has no planes: a square much larger than the scene is used instead.
 void add_square(std::vector<TriangleShape>& triangles, const FloorShape& floor) {
   constexpr double half = 1000;
   const double y = floor.height;
@@ -90,7 +90,7 @@ Scene build(RTCDevice device, const Layout& layout) {
   return scene;
 }
 
-// From a little off the surface, as single precision needs.
+// Slightly off the surface, as single precision requires.
 RTCRay single(const Ray& ray, double end) {
   RTCRay r{};
   r.org_x = static_cast<float>(ray.origin.x);

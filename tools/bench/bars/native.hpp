@@ -7,16 +7,16 @@
 
 namespace rt::tools::bench {
 
-/// CPU seconds that the rays of a frame take: nothing but finding hits.
+/// CPU seconds for the rays of a frame: intersection only.
 struct TracingCost {
   double seconds = 0;
   std::size_t hits = 0; ///< nearest hits found, and shadow rays blocked
 };
 
-/// By our trees, in double precision.
+/// With our trees, in double precision.
 TracingCost trace_exactly(const CompiledScene& scene, const FrameRays& rays);
 
-/// By Embree's own shapes in single precision: sphere points, cone curves for tubes, triangles.
+/// With Embree's own primitives in single precision: sphere points, cone curves for tubes, triangles.
 TracingCost trace_natively(const Layout& layout, const FrameRays& rays);
 
 /// CPU time of this process so far.

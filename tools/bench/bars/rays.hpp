@@ -6,15 +6,15 @@
 
 namespace rt::tools::bench {
 
-/// All rays of a frame in the order in which the integrator traces them, so that they can be traced again by
-/// themselves.
+/// All rays of a frame in the order in which the integrator traces them, so that they can be traced again in
+/// isolation.
 struct FrameRays {
   std::vector<Ray> nearest; ///< unit directions
   std::vector<Ray> shadow;
-  std::vector<double> shadow_ends; ///< how far the light is
+  std::vector<double> shadow_ends; ///< the distance of the light
 };
 
-/// Of the whole picture, `size` pixels each way.
+/// For the whole picture, a square of `size` pixels.
 FrameRays frame_rays(const CompiledScene& scene, const scene::Camera& camera, int size);
 
 } // namespace rt::tools::bench

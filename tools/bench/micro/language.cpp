@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-// The way from text to scene description.
+// From text to scene description.
 namespace {
 
 using namespace rt;

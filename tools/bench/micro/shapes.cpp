@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-// Each shape's intersection, with rays from outside of which about half hit.
+// Each shape's intersection, with rays from outside, about half of which hit.
 namespace {
 
 using namespace rt;

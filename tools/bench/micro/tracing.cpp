@@ -44,7 +44,7 @@ void primary(benchmark::State& state, std::string_view name) {
   trace(state, p.compiled, p.camera);
 }
 
-// As rendering does it; here the rays of a packet lie side by side in a row of the picture.
+// As in rendering; here the rays of a packet are adjacent in a row of the picture.
 void primary_packets(benchmark::State& state, std::string_view name) {
   const Prepared p(name);
   TraceScratch scratch;

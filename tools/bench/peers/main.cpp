@@ -12,9 +12,9 @@
 #include <fstream>
 #include <iostream>
 
-// Renders the measured scenes with rtlang, POV-Ray and Tachyon, each with one thread, and prints a table of what that
-// cost, in Markdown. Every figure of a row is the least of several runs that took turns, so that a machine that is busy
-// with other things disturbs the ratios little.
+// Renders the measured scenes with rtlang, POV-Ray and Tachyon, with one thread each, and prints a table of the costs
+// in Markdown. Every figure of a row is the minimum of several interleaved runs, so that other load on the machine
+// hardly affects the ratios.
 namespace rt::tools::bench {
 namespace {
 
@@ -56,7 +56,7 @@ struct Row {
   std::string scene;
   std::size_t primitives = 0;
   std::array<Cost, 3> costs;
-  double differs_from_povray = 0, differs_from_tachyon = 0; // shares of the pixels
+  double differs_from_povray = 0, differs_from_tachyon = 0; // fractions of the pixels
   double ratio(std::size_t program) const { return costs[program].user_seconds / costs[0].user_seconds; }
 };
 
@@ -65,7 +65,7 @@ Cost least(const Cost& a, const Cost& b) {
           std::min(a.wall_seconds, b.wall_seconds), std::min(a.peak_megabytes, b.peak_megabytes)};
 }
 
-// Linear pictures of the peers, made for this and not measured.
+// Linear pictures of the peers, made for this comparison and not measured.
 void compare(const Options& options, const std::string& scene, Row& row) {
   const std::string base = options.folder + "/" + scene;
   Command povray = command(options, programs[1], scene), tachyon = command(options, programs[2], scene);

@@ -25,7 +25,7 @@ Picture from_bytes(int width, int height, const std::vector<std::uint8_t>& bytes
 
 } // namespace
 
-// libpng's simple interface would convert by the file's gamma chunk; this one gives the numbers as they are.
+// libpng's simple interface would convert according to the file's gamma chunk; this one returns the values as they are.
 Picture read_png(const std::string& path, Encoding encoding) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw std::runtime_error("cannot open " + path);

@@ -13,14 +13,14 @@ struct Picture {
 
 enum class Encoding { linear, srgb };
 
-/// Of a PNG file with 8 bits, whose numbers mean what `encoding` says, whatever its chunks say. Throws
+/// From a PNG file with 8 bits, whose values are interpreted by `encoding`, whatever its chunks say. Throws
 /// std::runtime_error.
 Picture read_png(const std::string& path, Encoding encoding);
 
-/// Of a binary PPM file with 8 bits and linear numbers.
+/// From a binary PPM file with 8 bits and linear values.
 Picture read_ppm(const std::string& path);
 
-/// The share of pixels in which a channel differs by more than `steps` of 255.
+/// The fraction of pixels in which a channel differs by more than `steps` of 255.
 double share_that_differs(const Picture& a, const Picture& b, double steps);
 
 } // namespace rt::tools::bench

@@ -5,7 +5,7 @@
 
 namespace rt::tools::bench {
 
-/// The scene as loading its text would describe it, up to the rounding of the numbers: for measuring the renderer
+/// The description that loading the scene's text would give, up to the rounding of numbers: for measuring the renderer
 /// alone.
 scene::Scene describe(const Layout& layout);
 

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-/// The scenes that are measured, as plain numbers, and the formats that they are written in. What they hold is what
+/// The scenes that are measured, as plain numbers, and the formats that they are written in. They only contain what
 /// rtlang, POV-Ray and Tachyon can all express.
 namespace rt::tools::bench {
 
-/// How a surface gives back light: by its own colour in ambient and diffuse shares, a Blinn
-/// highlight, a mirror and (white surfaces only) what passes through.
+/// How a surface reflects light: ambient and diffuse with its own colour, a Blinn highlight, a mirror and (white
+/// surfaces only) transmission.
 struct Finish {
   Color color;
   double ambient = 0.1, diffuse = 0.7, specular = 0.3, shininess = 60, reflect = 0, refract = 0, ior = 1;
@@ -38,7 +38,7 @@ struct TriangleShape {
   std::uint32_t finish;
 };
 
-/// An endless horizontal plane.
+/// An infinite horizontal plane.
 struct FloorShape {
   double height;
   std::uint32_t finish;
@@ -52,7 +52,7 @@ struct BenchLight {
 struct Layout {
   std::string name;
   Vec3 eye, target;
-  double fov = 45; ///< degrees, of both sides: pictures are square
+  double fov = 45; ///< degrees, in both directions: pictures are square
   Color background = black;
   std::vector<BenchLight> lights;
   std::vector<Finish> finishes;
@@ -65,19 +65,19 @@ struct Layout {
 };
 
 inline constexpr int picture_size = 1024;
-inline constexpr int mirror_depth = 5; ///< mirrored rays after the camera's
+inline constexpr int mirror_depth = 5; ///< reflected rays after the camera's
 
-/// In the order of the tables. The arrangement of the first ones follows the manner of Haines's Standard Procedural
-/// Databases (A Proposal for Standard Graphics Environments, IEEE Computer Graphics and Applications 7(11), 1987).
+/// In the order of the tables. The arrangement of the first ones follows Haines's Standard Procedural Databases (A
+/// Proposal for Standard Graphics Environments, IEEE Computer Graphics and Applications 7(11), 1987).
 inline constexpr std::array<std::string_view, 7> layout_names = {"sphereflake_4", "sphereflake_6", "rings",  "mixed",
                                                                  "random_10k",    "random_1m",     "whitted"};
 
-/// Throws std::invalid_argument for a name that is none of these.
+/// Throws std::invalid_argument for an unknown name.
 Layout make_layout(std::string_view name);
 
 enum class Format { rtl, povray, tachyon };
 
-/// The scene as text; all formats say the same decimal numbers.
+/// The scene as text; all formats contain the same decimal numbers.
 std::string write(const Layout& layout, Format format);
 
 } // namespace rt::tools::bench

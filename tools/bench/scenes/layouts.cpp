@@ -42,7 +42,7 @@ std::vector<Finish> palette() {
   return finishes;
 }
 
-// Two unit vectors that are perpendicular to the unit vector n and to one another.
+// Two unit vectors that are perpendicular to the unit vector n and to each other.
 std::array<Vec3, 2> across(const Vec3& n) {
   const Vec3 u = normalize(cross(std::abs(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, n));
   return {u, cross(n, u)};
@@ -74,7 +74,7 @@ Layout sphereflake(int depth) {
   return layout;
 }
 
-// A dodecahedron of tubes with balls at its corners; `size` is the distance of the corners from the centre.
+// A dodecahedron of tubes with spheres at its corners; `size` is the distance of the corners from the centre.
 void add_cage(Layout& layout, const Vec3& center, double size, std::uint32_t finish) {
   const double phi = (1 + std::sqrt(5.0)) / 2;
   std::vector<Vec3> corners;
@@ -117,7 +117,7 @@ Layout rings() {
 
 constexpr Vec3 cube_eye{20, 14, 24};
 
-// Spheres, open tubes and triangles, a hundred thousand each, strewn over a cube.
+// A hundred thousand each of spheres, open tubes and triangles, scattered over a cube.
 Layout mixed() {
   constexpr int each = 100'000;
   Layout layout;
@@ -157,8 +157,8 @@ Layout random_balls(int count) {
   return layout;
 }
 
-// After the picture of Whitted's paper (An Improved Illumination Model for Shaded Display, 1980): a glass ball before a
-// mirror, over a checkered floor. The floor is made of triangles, and a few more balls stand about.
+// After the picture in Whitted's paper (An Improved Illumination Model for Shaded Display, 1980): a glass sphere in
+// front of a mirror, over a checkered floor. The floor is made of triangles; a few more spheres are added.
 Layout whitted() {
   Layout layout;
   layout.eye = {0, 1.6, 7.5};

@@ -14,7 +14,7 @@ void put(std::string& out, fmt::format_string<T...> format, T&&... values) {
   fmt::format_to(std::back_inserter(out), format, std::forward<T>(values)...);
 }
 
-// Six digits, so that programs that read single precision see the same number.
+// Six digits, so that programs that read single precision get the same number.
 std::string xyz(const Vec3& p, std::string_view separator) {
   return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", p.x, separator, p.y, separator, p.z);
 }
@@ -63,8 +63,8 @@ std::string rtl(const Layout& layout) {
   return out;
 }
 
-// POV-Ray's scene description language. Its camera looks along `direction` with whatever `right` it is given, so a
-// right-handed one needs no mirroring. Its trace level counts the camera's ray as one.
+// POV-Ray's scene description language. Its camera looks along `direction` with any given `right`, so a right-handed
+// one needs no mirroring. Its trace level counts the camera's ray as one.
 
 std::string angle(const Vec3& p) {
   return fmt::format("<{}>", xyz(p, ","));
@@ -109,8 +109,8 @@ std::string povray(const Layout& layout) {
 }
 
 // Tachyon's text format. Its camera is left-handed: everything is mirrored in x. A transparent surface keeps all of its
-// own light, so that is scaled here; it bends no ray. It samples a pixel at its upper right corner, so the view is
-// moved by half a pixel. RAYDEPTH counts the camera's ray.
+// own light, so that is scaled here; rays are not bent. It samples a pixel at its upper right corner, so the view is
+// shifted by half a pixel. RAYDEPTH counts the camera's ray.
 
 std::string mirrored(const Vec3& p) {
   return xyz({-p.x, p.y, p.z}, " ");

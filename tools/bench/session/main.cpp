@@ -31,7 +31,7 @@ constexpr int objects = 100'000;
 constexpr int unlike_statements = 10'000;
 constexpr rt::scene::Resolution preview_size{160, 120};
 
-// Wall time, and that of all threads on a processor: on a machine that does other things too only the latter says much.
+// Wall time, and CPU time of all threads: on a machine with other load only the latter is meaningful.
 struct Times {
   double wall = 0, cpu = 0; // milliseconds
 };
@@ -55,7 +55,7 @@ std::vector<rt::Part> parts_of(Session& session) {
   return parts;
 }
 
-// What the parts of a change take.
+// The time of the parts of a change.
 struct Parts {
   std::vector<Times> evaluating, building, tracing;
 };
@@ -105,7 +105,7 @@ std::string unlike_lines() {
   return text;
 }
 
-// A start of the program, with the same scene and one sphere more.
+// A start of the program, with the same scene plus one sphere.
 Times start_afresh(const std::string& path) {
   const std::string changed = path + ".more.rtl", picture = path + ".ppm";
   std::filesystem::copy_file(path, changed, std::filesystem::copy_options::overwrite_existing);

@@ -53,7 +53,7 @@ Steps::Roots Steps::solve(double a, double b, double c, std::string_view surface
 
 namespace {
 
-// Whether a candidate lies where the ray starts: on the surface that it has just left.
+// Whether a candidate is where the ray starts: on the surface that it has just left.
 bool is_start(double t, double taken) {
   return std::abs(t) <= 1e-9 * std::max(1.0, std::abs(taken));
 }

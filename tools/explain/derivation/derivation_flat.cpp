@@ -1,4 +1,4 @@
-// Planes, and the faces that are cut out of them; boxes, which are cut out by six.
+// Planes, and the faces that are cut out of them; boxes, which are bounded by six.
 
 #include "tools/explain/derivation/derivation_steps.hpp"
 #include "tools/explain/text.hpp"
@@ -12,7 +12,7 @@
 namespace rt::tools::explain {
 namespace {
 
-// Where the ray meets the plane n·p = k: the t, and the point there.
+// Where the ray hits the plane n·p = k: the t, and the point there.
 struct OnPlane {
   double t;
   Vec3 point;
@@ -37,7 +37,7 @@ std::string label_of(std::size_t i) {
   return i < 4 ? std::string(small[i]) : fmt::format("{}", i + 1);
 }
 
-// How far the point lies on the inner side of each edge, times the edge's length.
+// How far the point is on the inner side of each edge, times the edge's length.
 std::vector<double> sides_of(std::span<const Vec3> corners, const Vec3& normal, const Vec3& p) {
   std::vector<double> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -74,8 +74,8 @@ bool is_on_edge(std::span<const Vec3> corners, const Vec3& p, double extent) {
   return false;
 }
 
-// How often a line outwards from the point crosses the outline, in the plane of the two coordinates that the normal
-// leaves.
+// How often a line outwards from the point crosses the outline, in the plane of the two coordinates that remain when
+// the normal's largest one is dropped.
 int count_crossings(std::span<const Vec3> corners, const Vec3& normal, const Vec3& p) {
   const Vec3 size = abs(normal);
   const std::size_t drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -28,9 +28,9 @@ void derive_shape(Steps& steps, const SphereGeometry& sphere) {
 
 namespace {
 
-// The ray as it is seen from an axis: heights along it, and what lies across.
+// The ray relative to an axis: heights along it, and parts perpendicular to it.
 struct Axial {
-  double height, climb;  // of the origin above the base, and by one t
+  double height, climb;  // of the origin above the base, and per unit of t
   Vec3 across, sideways; // the parts of the origin (from the base) and the direction perpendicular to the axis
 
   Axial(const Ray& ray, const Vec3& base, const Vec3& axis)
@@ -47,7 +47,7 @@ void put_projection(Steps& steps, const Axial& axial) {
       .so();
 }
 
-// Whether a root lies between the ends.
+// Whether a root is between the ends.
 std::string place_between(double height, double top, bool& counts) {
   const double slack = 1e-9 * top;
   counts = height >= -slack && height <= top + slack;
@@ -67,7 +67,7 @@ void add_side(Steps& steps, const Axial& axial, double t, int number, double top
   candidates.push_back({t, fmt::format("the side at t{}", number == 1 ? "₁" : "₂"), counts});
 }
 
-// The plane of one end, and whether the ray meets the disc in it.
+// The plane of one end, and whether the ray hits the disc in it.
 void add_end(Steps& steps, const Axial& axial, double at, double radius, bool is_open, std::string_view key,
              std::string_view name, std::vector<Steps::Candidate>& candidates) {
   const double t = (at - axial.height) / axial.climb;

@@ -8,7 +8,7 @@
 /// What the derivations of the shapes share. Each shape has an overload of `derive_shape`.
 namespace rt::tools::explain {
 
-/// Writes down a derivation.
+/// Records a derivation.
 class Steps {
 public:
   Steps(Derivation& derivation, const Hit& found, bool is_operand)
@@ -18,23 +18,23 @@ public:
   const Hit& found() const { return found_; }
 
   void equation(std::string text) { derivation_.equation = std::move(text); }
-  /// Adds a quantity to the line that is being written.
+  /// Adds a quantity to the current line.
   Steps& put(std::string_view key, std::string_view label, double value);
   Steps& put(std::string_view key, std::string_view label, const Vec3& value);
   /// Ends the line with a conclusion, which may be empty.
   void so(std::string words = {});
 
-  /// A place where the ray could meet the shape.
+  /// A place where the ray might hit the shape.
   struct Candidate {
     double t;
     std::string name; ///< "t₁" or "the top end"
-    bool counts;      ///< it passes the shape's own tests
+    bool counts;      ///< it satisfies the shape's own tests
   };
-  /// Says which of them the tracer took and why the others were not; ends the derivation.
+  /// States which of them the tracer took and why it rejected the others; ends the derivation.
   void choose(std::vector<Candidate> candidates);
 
-  /// The roots of a·t² + b·t + c = 0 from their coefficients: the discriminant, and the roots if there are any. One
-  /// that is negative by rounding alone counts as 0: the tracer has found the ray to touch.
+  /// The roots of a·t² + b·t + c = 0 from their coefficients: the discriminant, and the roots if there are any. A
+  /// discriminant that is negative only by rounding counts as 0: the tracer has found that the ray touches.
   struct Roots {
     int count = 0;
     double first = 0, second = 0;

@@ -73,7 +73,7 @@ std::string Findings::subject(const std::string& name, std::uint64_t count) {
 
 namespace {
 
-/// A scene without things may be a page of questions.
+/// A scene without things may consist of questions only.
 bool has_expectations(const lang::SourceMap& sources) {
   const std::string_view text = sources.file(0).text;
   lang::Token token{};

@@ -1,4 +1,4 @@
-// What stands inside of what, and transforms that leave almost nothing.
+// What is inside what, and transforms that leave almost nothing.
 
 #include "renderer/compile/geometries.hpp"
 #include "tools/explain/lint/lint_parts.hpp"
@@ -12,7 +12,7 @@
 namespace rt::tools::explain {
 namespace {
 
-/// Solids that a ray leaves before it enters them, by order.
+/// Solids that a ray leaves without having entered them, by order.
 std::map<std::uint64_t, Around> left_first(const LintContext& context, const Ray& ray) {
   std::map<std::uint64_t, Around> found;
   std::set<std::uint64_t> met;
@@ -84,7 +84,7 @@ void find_lights_inside(LintContext& context) {
   }
 }
 
-/// What is wrong with a transform, if anything is.
+/// What is wrong with a transform, if anything.
 std::string smallness(const Affine& map) {
   constexpr double least = 1e-6;
   const double x = length(map.x), y = length(map.y), z = length(map.z);
@@ -118,7 +118,7 @@ bool is_solid(const scene::Scene& scene, const std::vector<const scene::Object*>
 }
 
 std::vector<Around> solids_around(const LintContext& context, const Vec3& p) {
-  // Two directions that no scene is likely to be built along: what only one of them says was grazed.
+  // Two directions that no scene is likely to be built along: what only one of them finds was grazed.
   const auto one = left_first(context, {p, {0.35417, 0.84393, 0.40277}});
   const auto other = left_first(context, {p, {-0.61873, 0.23419, -0.74988}});
   std::vector<Around> both;

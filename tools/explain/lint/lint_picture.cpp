@@ -1,4 +1,4 @@
-// Surfaces in one place, media in one another, and what becomes of light.
+// Coincident surfaces, nested media, and what becomes of light.
 
 #include "tools/explain/lint/lint_parts.hpp"
 #include "tools/explain/naming.hpp"
@@ -11,9 +11,9 @@
 namespace rt::tools::explain {
 namespace {
 
-constexpr std::uint64_t least_evidence = 3; // pixels that show a thing, before it is said of lines
+constexpr std::uint64_t least_evidence = 3; // pixels that show something, before it is reported about lines
 
-/// A interval of a ray within a transparent solid.
+/// An interval of a ray within a transparent solid.
 struct LineInterval {
   double begin, end;
   const HitReport* hit; ///< where it is entered or left
@@ -24,7 +24,7 @@ bool uses_media(const scene::Scene& scene) {
                              [](const scene::Material& m) { return !scene::is_opaque(m) && m.ior != 1; });
 }
 
-/// Of the transparent solids up to the first opaque surface.
+/// For the transparent solids up to the first opaque surface.
 std::vector<LineInterval> intervals(const LintContext& context, const std::vector<HitReport>& hits) {
   std::vector<LineInterval> found;
   std::map<std::uint64_t, const HitReport*> entered;
@@ -58,7 +58,7 @@ Line most_common(const std::map<Line, std::uint64_t>& counts) {
   return best;
 }
 
-/// Why a light gives nothing, and what to do.
+/// Why a light contributes nothing, and what to do about it.
 std::pair<std::string, std::string> darkness(const LintContext& context, const Light& light, const LightTally& tally) {
   if (light.color == black) return {"its `color` or `intensity` is 0", "raise it, or remove the light"};
   if (tally.blocked > 0 && tally.blocked >= tally.averted) {
@@ -146,7 +146,7 @@ void find_dark_lights(LintContext& context) {
     }
   }
   for (const auto& [line, dark] : lines) {
-    // Of a row of lights some may look elsewhere.
+    // In a row of lights some may point elsewhere.
     if (lit.contains(line) || context.shut_in_lights.contains(line)) continue;
     const std::string name = Findings::subject(name_of(context.scene, context.scene.lights[dark.first]), dark.count);
     lang::Diagnostic& d =

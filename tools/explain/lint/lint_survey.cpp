@@ -1,4 +1,4 @@
-// A sample of the pixels, traced with all that follows from them.
+// A sample of the pixels, traced with all descendant rays.
 
 #include "renderer/integrators/whitted.hpp"
 #include "tools/explain/lint/lint_parts.hpp"
@@ -11,9 +11,9 @@ namespace rt::tools::explain {
 namespace {
 
 constexpr double weight_that_counts = 0.1;        // of a branch that is cut off, in its pixel
-constexpr double weight_of_coincidence = 0.02;    // of a ray whose surfaces are looked at twice
-constexpr int coincidences_looked_for = 32;       // for one pixel
-constexpr std::size_t most_blockers = 200;        // that are looked for, for one light
+constexpr double weight_of_coincidence = 0.02;    // of a ray whose surfaces are examined for coincidence
+constexpr int coincidences_looked_for = 32;       // per pixel
+constexpr std::size_t most_blockers = 200;        // that are looked for, per light
 constexpr double black_below = 0.5 / 255 / 12.92; // what sRGB rounds to 0
 constexpr double white_from = 1 + 1e-9;
 
@@ -25,7 +25,7 @@ struct Listener : NoRecorder {
   struct RayFrame {
     Vec3 direction;
     Color weight;
-    Line line; // of the surface met last
+    Line line; // of the surface last hit
   };
 
   void begin_pixel(double pixel_size_at_1) {
@@ -80,7 +80,7 @@ struct Listener : NoRecorder {
     }
   }
 
-  /// The surfaces that a ray meets in the point where it meets this one, nearest first.
+  /// The surfaces that a ray hits at the point where it hits this one, nearest first.
   std::vector<HitReport> hits_around(const Vec3& point, const Vec3& direction) const {
     const double size = std::max({1.0, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     const double back = 1e-2 * size, slack = 1e-9 * size;
@@ -100,7 +100,7 @@ struct Listener : NoRecorder {
       if (other.order == surface.order) continue;
       const double cosine = dot(other.normal, surface.normal);
       if (std::abs(cosine) < 1 - 1e-6) continue;
-      // Light that passes one of them passes both in the same way; of opaque ones it matters which is seen.
+      // Light that crosses one of them crosses both in the same way; for opaque ones it matters which is seen.
       if (values.refract > 0 || other.material.refract > 0) continue;
       if (cosine < 0 || looks_alike(values, other.material)) continue;
       const HitReport* mine = of_order(hits, surface.order);
@@ -116,14 +116,14 @@ struct Listener : NoRecorder {
            a.metallic == b.metallic && a.coat == b.coat;
   }
 
-  /// Not only in a point or line where they touch: also beside it, on two sides.
+  /// Not only in a point or line of contact: also beside it, on two sides.
   bool coincides_beside(const HitReport& a, const HitReport& b, const Vec3& direction) const {
     const Vec3 n = a.normal;
     const Vec3 u = normalize(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})), v = cross(n, u);
     const double step = std::max(footprint * length(a.position - context.scene.camera.at), 1e-6);
     for (const Vec3& shift : {u * step, v * step, (u + v) * (-0.7 * step)}) {
       const Vec3 beside = a.position + shift;
-      // On a curved surface the ray meets both a little before or behind: they must do so together.
+      // On a curved surface the ray hits both slightly before or behind: they must do so together.
       const double reach = 1e-2 * std::max(1.0, length(beside)) + step;
       const auto hits = context.query.all_hits({beside - direction * reach, direction}, {0, 2 * reach});
       const HitReport *one = of_order(hits, a.order), *other = of_order(hits, b.order);
@@ -203,7 +203,7 @@ private:
 
 } // namespace
 
-// Each row has a result of its own, and they are put together in order: nothing depends on which thread traced which.
+// Each row has its own result, and they are merged in order: nothing depends on which thread traced which.
 LintSurvey survey_of(const LintContext& context, std::uint64_t rays) {
   const auto [width, height] = context.scene.size;
   const double step = std::max(1.0, std::sqrt(static_cast<double>(width) * height / static_cast<double>(rays)));

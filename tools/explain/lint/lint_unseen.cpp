@@ -1,4 +1,4 @@
-// Things that are in view and never seen: too small, or hidden for good.
+// Things that are in view and never seen: too small, or always hidden.
 
 #include "renderer/compile/geometries.hpp"
 #include "renderer/math/random.hpp"
@@ -16,12 +16,12 @@ namespace {
 
 /// An infinite opaque plane.
 struct Wall {
-  PlaneGeometry plane; ///< in the scene's space
+  PlaneGeometry plane; ///< in scene space
   const scene::Object* object;
   double side(const Vec3& p) const { return dot(p, plane.normal) - plane.offset; }
 };
 
-/// All that one line places.
+/// Everything that one line places.
 struct Unseen {
   std::vector<LintLeaf> leaves;
   std::uint64_t count = 0;
@@ -29,8 +29,8 @@ struct Unseen {
   bool is_in_view = false, is_all_small = true;
 };
 
-constexpr std::size_t most_leaves_of_line = 256; ///< with more, whether a line's things are enclosed is not looked into
-constexpr std::uint64_t least_pixels = 4'096;    ///< of a picture that is there to be looked at
+constexpr std::size_t most_leaves_of_line = 256; ///< with more, it is not checked whether a line's things are enclosed
+constexpr std::uint64_t least_pixels = 4'096;    ///< of a picture that is meant to be viewed
 constexpr int probes = 96;
 constexpr int least_probes = 12;
 
@@ -43,7 +43,7 @@ public:
   explicit Watch(LintContext& context) : context_(context), projector_(context.scene) {}
 
   void run() {
-    // Else a line may place more than was looked at.
+    // Else a line may place more than was examined.
     if (!for_each_leaf(context_.scene, [this](const LintLeaf& leaf) { look(leaf); })) return;
     std::uint64_t tries = 0;
     for (const auto& [line, unseen] : lines_) {
@@ -73,7 +73,7 @@ private:
     ++unseen.count;
     if (!leaf.box.is_finite() || leaf.box.is_empty()) {
       unseen.is_all_small = false;
-      unseen.count = most_leaves_of_line + 1; // nothing can be said
+      unseen.count = most_leaves_of_line + 1; // no conclusion is possible
       return;
     }
     if (const auto extent = projector_.extent(leaf.box); extent && extent->is_in_view) {
@@ -98,7 +98,7 @@ private:
       const bool is_behind = std::ranges::all_of(unseen.leaves, [&](const LintLeaf& leaf) {
         const bool is_within =
             std::ranges::all_of(corners(leaf.box), [&](const Vec3& p) { return wall.side(p) * eye <= 0; });
-        return is_within && wall.side(leaf.box.center()) * eye < 0; // what lies flat in the plane is not behind it
+        return is_within && wall.side(leaf.box.center()) * eye < 0; // what lies in the plane is not behind it
       });
       if (!is_behind) continue;
       lang::Diagnostic& d = context_.findings.warn(lang::lint_rule::hidden, line,
@@ -137,14 +137,14 @@ private:
     d.notes.push_back(context_.findings.note(line_of(hull.origin), "this opaque solid surrounds it"));
   }
 
-  // The same for the same key.
+  // Deterministic for each key.
   static Vec3 random_point(const Box3& box, std::uint64_t key) {
     SplitMix64 random(mix_bits(key));
     const Vec3 size = box.extent();
     return box.lower + Vec3{size.x * random.unit(), size.y * random.unit(), size.z * random.unit()};
   }
 
-  /// The opaque solid that every line through the leaf enters before it and leaves after it.
+  /// The opaque solid that every line through the leaf enters before the leaf and leaves after it.
   std::optional<Around> enclosing(const LintLeaf& leaf) const {
     std::map<std::uint64_t, Around> candidates;
     int hits = 0;
@@ -165,10 +165,10 @@ private:
     return candidates.begin()->second;
   }
 
-  /// The opaque solids that hold the whole interval of the line that is in the leaf; nothing where the line misses it.
+  /// The opaque solids that contain the whole segment of the line that is in the leaf; nothing if the line misses it.
   /// The eye is in none of them.
   std::optional<std::map<std::uint64_t, Around>> intervals_around(const LintLeaf& leaf, const Ray& ray) const {
-    // A solid around the leaf may be much larger: look from far enough back to see where it is entered.
+    // A solid around the leaf may be much larger: start far enough back to see where it is entered.
     const Ray line = from_outside(ray);
     const std::vector<HitReport> hits = context_.query.all_hits(line);
     double first = infinity, last = -infinity;

@@ -15,7 +15,7 @@
 namespace rt::tools::explain {
 namespace {
 
-/// Which leaf was hit: as long as it stays the same, its names need not be looked up again.
+/// Which leaf was hit: as long as it is the same, its names need not be looked up again.
 struct LeafKey {
   const void* leaves = nullptr;
   const void* aggregate = nullptr;

@@ -7,12 +7,12 @@
 
 namespace rt::tools::explain {
 
-/// How light that is seen in one surface came there.
+/// How light seen in one surface got there.
 struct WayStep {
   enum class How : std::uint8_t { mirrored, refracted, crossed, totally_reflected };
   How how;
   const SurfaceNode* at;
-  std::uint32_t before; ///< number of the step before it, `no_step` for the first
+  std::uint32_t before; ///< index of the step before it, `no_step` for the first
 };
 inline constexpr std::uint32_t no_step = 0xffffffff;
 
@@ -32,9 +32,9 @@ struct Cut {
   std::uint32_t last_step = no_step;
 };
 
-/// A tree of rays taken apart.
+/// A ray tree, decomposed.
 struct Sum {
-  std::vector<Contribution> terms; ///< what is not 0, in the order of the tree; together the radiance
+  std::vector<Contribution> terms; ///< those that are not 0, in the order of the tree; they add up to the radiance
   std::vector<Cut> cuts;
   std::vector<WayStep> steps;
   Color total; ///< of the terms
@@ -45,7 +45,7 @@ struct Sum {
 
 Sum take_apart(const RayNode& root);
 
-/// What counts as the size of a colour when shares are compared.
+/// The size of a colour for comparing contributions.
 inline double size_of(const Color& c) {
   return c.r + c.g + c.b;
 }

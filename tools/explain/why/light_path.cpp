@@ -9,7 +9,7 @@ namespace {
 
 using How = WayStep::How;
 
-// The ray that goes on from a surface; null where the same ray does, unbent, or where none does at weight 0.
+// The ray that leaves a surface; null if the same ray continues, unbent, or if there is none because its weight is 0.
 const RayNode* ray_onwards(const SurfaceNode& s, How how) {
   switch (how) {
   case How::mirrored:
@@ -35,7 +35,7 @@ Terms largest_path(const Sum& sum) {
   std::map<Key, Color> sums;
   for (const Contribution& term : sum.terms) sums[{term.last_step, term.surface}] += term.value;
   Terms best{nullptr, black};
-  for (const Contribution& term : sum.terms) { // in the tree's order: of equal ones the first
+  for (const Contribution& term : sum.terms) { // in the tree's order: the first of equal ones
     const Color& color = sums.at({term.last_step, term.surface});
     if (!best.first || size_of(color) > size_of(best.sum)) best = {&term, color};
   }
@@ -59,7 +59,7 @@ std::vector<PathStep> along_prospects(const RayNode& root) {
       how = How::mirrored;
       break;
     case Prospect::through:
-      // A black colour lets nothing through: then no ray goes on.
+      // A black colour transmits nothing: then no ray continues.
       if (s.transition->ray || &s != &ray->surfaces.back() || ray->end != RayNode::End::surface)
         how = s.transition->ray ? How::refracted : How::crossed;
       break;

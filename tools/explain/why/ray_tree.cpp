@@ -155,8 +155,8 @@ private:
   std::size_t surfaces_left_;
   std::vector<RayNode*> open_;
   std::vector<Color> passed_;                        // of the open rays that have a node
-  Ray next_;                                         // that meets the next surface
-  std::vector<std::vector<std::uint32_t>> touching_; // what is in the place of the next surface
+  Ray next_;                                         // that hits the next surface
+  std::vector<std::vector<std::uint32_t>> touching_; // the surfaces in the place of the next surface
   const Contacts* contacts_ = nullptr;
   Contacts::Position position_{};          // of the last surface, if it is one of several that touch
   std::optional<AbsorptionNode> absorbed_; // on the way there

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// A ray and all that came of it, as the integrator reported it: the numbers of this tree are the picture's own.
+/// A ray and its descendants, as reported by the integrator: the numbers of this tree are the picture's own.
 namespace rt::tools::explain {
 
 struct RayNode;
@@ -22,7 +22,7 @@ struct InTheWay {
 /// A light as one point sees it.
 struct LightNode {
   LightRecord record;
-  std::vector<InTheWay> in_the_way; ///< from the point on, up to the first opaque one; their product is the filter
+  std::vector<InTheWay> in_the_way; ///< from the point on, up to the first opaque one; the filter is their product
 };
 
 /// A branch that is not followed, since `min_weight` says so.
@@ -50,38 +50,38 @@ struct TransitionNode {
   std::unique_ptr<RayNode> ray; ///< none where τ is black, or the ray goes on unbent: then the next surface is its own
 };
 
-/// What takes the place of both on total internal reflection.
+/// What replaces both on total internal reflection.
 struct TotalReflectionNode {
   MediumTransition transition; ///< that did not take place
   double cosine = 0;
   std::unique_ptr<RayNode> ray;
 };
 
-/// What a medium left of light on the way to where it was met.
+/// The transmittance of a medium up to the surface that was hit.
 struct AbsorptionNode {
   Color left = white;
   double length = 0;
 };
 
-/// One surface that a ray met.
+/// One surface that a ray hit.
 struct SurfaceNode {
-  Ray ray; ///< as it came: the node's own, or what goes on unbent behind the surface before; among surfaces that touch,
-           ///< the one that met them
+  Ray ray; ///< as it arrived: the node's own, or the one that continues unbent behind the surface before; at touching
+           ///< surfaces, the one that hit them
   RayHit hit;
-  std::vector<std::vector<std::uint32_t>> touching; ///< paths of all surfaces in this place, at the first of them
+  std::vector<std::vector<std::uint32_t>> touching; ///< paths of all surfaces in this place, given at the first of them
   std::vector<std::uint32_t> path;
   Surface surface;
   MaterialValues material;
-  Vec3 normal;  ///< the shading normal, turned to the viewer
-  Color passed; ///< what the surfaces before it that were crossed unbent let by, and media on the way left
-  std::optional<AbsorptionNode> absorbed; ///< on the last part of the way, if it led through a medium that takes some
+  Vec3 normal;  ///< the shading normal, facing the viewer
+  Color passed; ///< the transmittance of the surfaces crossed unbent before it, and of media on the way
+  std::optional<AbsorptionNode> absorbed; ///< on the last part of the way, if it was in an absorbing medium
   Color ambient, emission;
   std::vector<LightNode> lights;
   std::optional<MirrorNode> mirror;
   std::optional<TransitionNode> transition;
   std::optional<TotalReflectionNode> total_reflection;
 
-  /// Its own light and the lights'.
+  /// Its emission and ambient light, and the lights'.
   Color shading() const;
 };
 
@@ -89,22 +89,22 @@ struct RayNode {
   /// How it ends after its last surface.
   enum class End : std::uint8_t {
     surface,    ///< at it
-    background, ///< in it: nothing is met
+    background, ///< in it: nothing is hit
     too_deep    ///< it would be deeper than the scene's max_depth
   };
 
   RayKind kind = RayKind::camera;
   Ray ray; ///< unit direction
   int depth = 0;
-  Color weight; ///< of its radiance in the first ray's
+  Color weight; ///< the factor of its radiance in the first ray's
   std::vector<SurfaceNode> surfaces;
   End end = End::surface;
-  Color background; ///< what of it is left by the medium that the ray ends in
+  Color background; ///< attenuated by the medium that the ray ends in
   Color radiance;
   bool is_expanded = true; ///< false: there were too many rays, and only the radiance is known
 };
 
-/// Traces the ray with the picture's integrator and listens. Rays beyond `most_surfaces` surfaces are not expanded.
+/// Traces the ray with the picture's integrator and records it. Rays beyond `most_surfaces` surfaces are not expanded.
 std::unique_ptr<RayNode> record(const RayQuery& query, const Ray& ray, std::size_t most_surfaces = 20'000);
 
 } // namespace rt::tools::explain

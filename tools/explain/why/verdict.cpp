@@ -11,17 +11,17 @@
 namespace rt::tools::explain {
 namespace {
 
-constexpr double dark_below = 0.05; // of the largest component, linear: #3f3f3f and darker
+constexpr double dark_below = 0.05; // the largest component, linear: #3f3f3f and darker
 
-// What there is to say about why a light gives a surface little, and about all lights together.
+// The reasons why a light contributes little to a surface, and why all lights together do.
 class Surfaces {
 public:
   explicit Surfaces(const Answer& answer) : answer_(answer), namer_(answer.namer) {}
 
   std::string title(const SurfaceNode& s) const { return namer_.title(s.path); }
 
-  // Why the lights give it so little that one would ask; lights with the same reason share a phrase. `lit_by` do what
-  // they can; `is_strict`: only what keeps a light off altogether counts.
+  // Why the lights contribute so little that one would ask; lights with the same reason share a phrase. `lit_by` are
+  // not to blame; `is_strict`: only reasons that exclude a light entirely count.
   std::vector<std::string> why_unlit(const SurfaceNode& s, const std::set<std::uint32_t>& lit_by = {},
                                      bool is_strict = false) const {
     std::vector<Reason> reasons;
@@ -49,7 +49,7 @@ public:
 
 private:
   struct Reason {
-    std::string before, after; // of the lights' names
+    std::string before, after; // the words around the lights' names
     std::vector<std::uint32_t> lights;
   };
 
@@ -104,7 +104,7 @@ std::string join(const std::vector<std::string>& parts) {
   return text;
 }
 
-// Names the surface that "it" stands for where something else was named last.
+// Names the surface that "it" refers to if something else was named last.
 std::vector<std::string> with_subject(std::vector<std::string> reasons, const std::string& title, bool is_named) {
   for (std::string& reason : reasons) {
     const bool is_about_it = reason.starts_with("it ");
@@ -114,7 +114,7 @@ std::vector<std::string> with_subject(std::vector<std::string> reasons, const st
   return reasons;
 }
 
-// Why a ray brings next to nothing.
+// Why a ray carries next to nothing.
 class Darkness {
 public:
   explicit Darkness(const Answer& answer) : answer_(answer), surfaces_(answer) {}
@@ -155,7 +155,7 @@ private:
     return lit(s, title);
   }
 
-  // The two sides of one thing are named once.
+  // The two sides of one thing are named only once.
   static std::string chained(const std::string& how, const std::string& rest) {
     return rest.starts_with(how) ? rest : fmt::format("{}, and {}", how, rest);
   }
@@ -203,7 +203,7 @@ public:
   std::string sentence() const {
     const RayNode& root = *answer_.tree;
     if (root.surfaces.empty()) return "this is the background: the ray meets nothing";
-    std::map<std::uint32_t, double> by_way; // the terms that took the same way to the same surface
+    std::map<std::uint32_t, double> by_way; // the terms that came the same way from the same surface
     double direct = 0, mirrored = 0, through = 0;
     for (const Contribution& term : answer_.sum.terms) {
       const double size = size_of(term.value);
@@ -283,7 +283,7 @@ private:
     return text;
   }
 
-  // What comes beside the surface's own light.
+  // What is added to the surface's own light.
   std::string others(double mirrored, double through) const {
     std::vector<std::string> parts;
     if (share(mirrored) >= 0.1)
@@ -292,7 +292,7 @@ private:
     return parts.empty() ? "" : "; " + list_text(parts);
   }
 
-  // What is seen in a mirror or through something. `all` is what comes that way altogether.
+  // What is seen in a mirror or through something. `all` is the total that comes that way.
   std::string far(std::uint32_t step, double size, double all, bool is_mirrored) const {
     const Sum& sum = answer_.sum;
     const auto at_end = [step](const Contribution& t) { return t.last_step == step; };

@@ -13,12 +13,12 @@
 #include <string_view>
 #include <vector>
 
-/// Why a ray brings the light it brings.
+/// Why a ray carries the light that it carries.
 namespace rt::tools::explain {
 
 /// A question that has been traced.
 struct Answer {
-  /// `file` is what the scene's own file is called in `scene.files`. Scene and tracer must outlive the answer.
+  /// `file` is the name of the scene's own file in `scene.files`. Scene and tracer must outlive the answer.
   Answer(const scene::Scene& scene, std::string_view file, const RayQuery& query, const Question& question);
 
   const scene::Scene& scene;
@@ -29,11 +29,11 @@ struct Answer {
   std::unique_ptr<RayNode> tree;
   Sum sum;
   LightPath path;
-  std::optional<Color> pixel; ///< where the pixel has several samples: their mean
+  std::optional<Color> pixel; ///< if the pixel has several samples: their mean
 };
 
-/// How much of the tree of rays an explanation shows; a ray that is not shown is a line with what it returns. Unless
-/// told otherwise it shows the rays on the path that carries most of the light.
+/// How much of the ray tree an explanation shows; a ray that is not shown is a line with its radiance. By default it
+/// shows the rays on the path that carries most of the light.
 struct Detail {
   bool all = false;              ///< every ray
   std::optional<int> depth{};    ///< rays down to this depth, the first ray's being 0
@@ -43,25 +43,25 @@ struct Detail {
 };
 bool shows(const Answer& answer, const Detail& detail, const RayNode& ray);
 
-/// The rays, what adds up to the radiance, and the sentence.
+/// The rays, the terms of the radiance, and the sentence.
 std::string why_text(const Answer& answer, const Detail& detail);
 nlohmann::ordered_json why_json(const Answer& answer, const Detail& detail);
 
-/// A term of the sum in words; terms with the same words are one.
+/// A term of the sum in words; terms with the same words are merged.
 struct NamedTerm {
   std::string text; ///< "sun (line 7) on `table` (line 30), mirrored in `ball` (line 9)"
   Color value;
 };
-/// All of them, the largest first.
+/// All of them, largest first.
 std::vector<NamedTerm> named_terms(const Answer& answer);
 
-/// One sentence: why it is dark, bright or coloured as it is.
+/// One sentence: why it is dark, bright or coloured.
 std::string verdict(const Answer& answer);
 
-/// What the picture shows of it: "#rrggbb".
+/// The displayed colour: "#rrggbb".
 std::string shown(const Color& linear, const ToneMapping& mapping);
 
-/// How a term's light came: "the sky, mirrored in `ball` (line 7)" without its first words.
+/// How a term's light got there: "the sky, mirrored in `ball` (line 7)" without its first words.
 std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step);
 
 } // namespace rt::tools::explain

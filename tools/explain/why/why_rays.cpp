@@ -124,7 +124,7 @@ private:
   RayWriter rays_;
 };
 
-// How the path goes on from a surface.
+// How the path continues from a surface.
 void write_onwards(const Answer& answer, const SurfaceNode& s, WayStep::How how, Page& page, int indent) {
   switch (how) {
   case WayStep::How::mirrored:
@@ -147,7 +147,7 @@ int number_of_rays(const RayNode& ray) {
   return number;
 }
 
-// What is left out where there is more than this path.
+// What is omitted if there is more than this path.
 void write_title(const Answer& answer, Page& page) {
   const int rays = number_of_rays(*answer.tree);
   if (rays == 1) return;

@@ -9,7 +9,7 @@
 namespace rt::tools::explain {
 namespace {
 
-// How many of the terms are listed: on the path alone those that make 90 % of the sum, of which three are enough.
+// How many of the terms are listed: for the path alone those that make up 90 % of the sum, but at most three.
 std::size_t listed_terms(const std::vector<NamedTerm>& terms, double whole, const Detail& detail) {
   if (!detail.is_path_only()) return std::min<std::size_t>(terms.size(), 12);
   std::size_t listed = 0;
@@ -18,7 +18,7 @@ std::size_t listed_terms(const std::vector<NamedTerm>& terms, double whole, cons
   return listed;
 }
 
-// The terms from the largest on, and their sum beside what was traced.
+// The terms, largest first, and their sum compared with the traced radiance.
 void write_sum(const Answer& answer, const Detail& detail, Page& page) {
   const std::vector<NamedTerm> terms = named_terms(answer);
   const double whole = size_of(answer.sum.total);

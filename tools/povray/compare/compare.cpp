@@ -13,7 +13,7 @@ Vec3 to_vec(const Xyz32& v) {
   return {v.x, v.y, v.z};
 }
 
-// The angle of two unit vectors; from the sine as well, because the cosine alone says nothing of small angles.
+// The angle between two unit vectors; from the sine as well, because the cosine alone is inaccurate for small angles.
 double angle(const Vec3& a, const Vec3& b) {
   return std::atan2(length(cross(a, b)), dot(a, b));
 }
@@ -23,7 +23,7 @@ double relative(double ours, double theirs) {
   return std::abs(ours - theirs) / theirs;
 }
 
-// Files of 16 bits hold nothing outside [0, 1].
+// 16-bit files contain nothing outside [0, 1].
 Rgb32 clamped(const Rgb32& c) {
   return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
 }
@@ -97,8 +97,8 @@ private:
     result_.ids_unexplained += !is_explained(o.cause);
   }
 
-  // Whether our rules lead to our object, distance and normal, POV-Ray's to its own, and the ways part by no more than
-  // the rules differ.
+  // Whether our rules lead to our object, distance and normal, and POV-Ray's to its own, with a difference no larger
+  // than the rules explain.
   bool differs_by_rules(std::size_t i, const Outlier& o) {
     const CenterHit ours = retracer_.hit(o.x, o.y, HitRules::own);
     const CenterHit theirs = retracer_.hit(o.x, o.y, HitRules::povray);
@@ -155,7 +155,7 @@ private:
   std::vector<double> depths_;
 };
 
-// A share that allows one pixel even in a small picture.
+// A fraction that allows one pixel even in a small picture.
 double needed_share(const Comparison& c, double share) {
   const double allowed = std::max(1.0, std::floor((1 - share) * static_cast<double>(c.pixels)));
   return c.pixels == 0 ? 0 : 1 - allowed / static_cast<double>(c.pixels);

@@ -2,7 +2,7 @@
 
 #include "tools/povray/compare/compare.hpp"
 
-/// The result of a check, for people and for machines.
+/// The result of a check, for users and for machines.
 namespace rt::tools::povray {
 
 struct Report {
@@ -20,13 +20,13 @@ struct Report {
   bool holds() const { return all_hold(verdicts()); }
 };
 
-/// "ball, still_life.rtl:12" for the number of an object, "nothing" for 0.
+/// "ball, still_life.rtl:12" for the id of an object, "nothing" for 0.
 std::string object_text(const scene::Scene& scene, const std::vector<ObjectName>& names, std::uint32_t id);
 
 /// A table, and a line for each of the worst pixels.
 std::string report_text(const Report& report);
 std::string report_json(const Report& report);
-/// One page that needs nothing else: both pictures, the maps of differences, the table, the worst pixels enlarged.
+/// A self-contained page: both pictures, the maps of differences, the table, the worst pixels enlarged.
 std::string report_html(const Report& report);
 
 } // namespace rt::tools::povray

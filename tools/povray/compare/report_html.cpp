@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t enlarged_pixels = 24;
 
-// Filled in at the words in percent signs.
+// A template: words in percent signs are replaced.
 constexpr std::string_view page = R"html(<!doctype html>
 <html lang="en">
 <head>

@@ -64,7 +64,7 @@ bool Retracer::is_unstable(int x, int y, const Rgb32& wanted, double tolerance) 
   return false;
 }
 
-// The ray turned in the i-th of eight directions; in an orthographic view it is moved instead.
+// The ray rotated in the i-th of eight directions; in an orthographic view it is shifted instead.
 Ray Retracer::beside(const Ray& ray, int i, double size) const {
   const bool is_orthographic = scene_.camera.projection == scene::Projection::orthographic;
   const Vec3 least = std::abs(ray.direction.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -88,7 +88,7 @@ bool Retracer::is_within_reach(int x, int y, const CenterHit& ours, const Center
     for (int i = 0; i < 8; ++i) {
       const Ray other = beside(ray, i, off / scale);
       if (is_same_surface(seen(other, query().nearest(other)), theirs)) return true;
-      // Where boxes touch, it may be a face that another one covers.
+      // Where boxes touch, it may be a face that is covered by another one.
       const std::vector<HitReport> hits = query().all_hits(other, {distance - 2 * off, distance + 2 * off});
       if (std::any_of(hits.begin(), hits.end(),
                       [&](const HitReport& h) { return is_same_surface(seen(other, h), theirs); }))

@@ -47,16 +47,16 @@ public:
   }
 
 private:
-  // What an object takes from the composites around it.
+  // What an object inherits from the composites around it.
   struct Around {
-    MaterialId material = no_material; ///< the nearest enclosing one that is written
-    bool is_textured = false;          ///< a composite around it writes a texture in the exported text
+    MaterialId material = no_material; ///< that of the nearest enclosing composite that has one
+    bool is_textured = false;          ///< an enclosing composite has a texture in the exported text
     bool in_solid = false;
     bool in_shadowless = false;
     bool is_inside = false; ///< of any composite
     Map to_scene;           ///< from the space that the object is placed in
-    /// Groups are taken apart; what each member says after its own transforms, if it has no texture of its own and if
-    /// it has.
+    /// Groups are dissolved: what to write for each member after its own transforms, without and with a texture of its
+    /// own.
     bool is_apart = false;
     std::string after_plain, after_textured;
   };
@@ -69,7 +69,7 @@ private:
     write_camera(out, scene_.camera, scene_.size);
   }
 
-  // POV-Ray's skies cover each other; ours add up.
+  // POV-Ray's skies occlude each other; ours add up.
   void write_sky(Writer& out) {
     const Light* first = nullptr;
     for (const Light& light : scene_.lights) {
@@ -87,7 +87,7 @@ private:
     out.blank();
     switch (options_.pass) {
     case Pass::color:
-      // In a light group POV-Ray keeps no memory of the last blocker, which would make a shadow's edge depend on the
+      // Within a light group POV-Ray does not cache the last blocker, which would make a shadow's edge depend on the
       // pixels before it.
       if (!scene_.lights.empty()) out.open("light_group");
       for (const Light& light : scene_.lights) {
@@ -134,7 +134,7 @@ private:
       if (has_surface(o)) object(out, o, around);
   }
 
-  // POV-Ray wants no composite without members.
+  // POV-Ray does not allow composites without members.
   bool has_surface(const Object& o) const {
     if (!o.is_visible || !refers_to_composite(o.shape)) return o.is_visible;
     const auto& all = parts(scene_.shapes, o.shape);
@@ -159,8 +159,8 @@ private:
     if (options_.pass == Pass::color) modifiers += eye(o, inside);
     const bool has_texture = modifiers.find(" texture {") != std::string::npos;
     modifiers += (kept ? "" : own) + (has_texture ? around.after_textured : around.after_plain);
-    // POV-Ray carries each vertex normal to the scene and interpolates there, as we do, but normalises it before only
-    // in `scale`: not in `matrix`.
+    // POV-Ray transforms each vertex normal to the scene and interpolates there, as we do, but normalises it beforehand
+    // only in `scale`, not in `matrix`.
     const std::string last = !around.is_inside && has_smooth(scene_, o) ? " scale 1" : "";
     modifiers += last;
     inside.is_inside = true;
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  // POV-Ray asks the whole of a solid whether it casts a shadow, not its parts.
+  // POV-Ray decides for a whole solid, not for its parts, whether it casts a shadow.
   std::string shadow(const Object& o, const Around& around, Around& inside) {
     if (o.casts_shadow || around.in_shadowless) return {};
     if (around.in_solid)
@@ -196,7 +196,7 @@ private:
     return " no_shadow";
   }
 
-  // The texture where the object is the one that says it, and the index of refraction where it is a solid of its own.
+  // The texture if the object specifies one, and the index of refraction if it is a separate solid.
   std::string surface(const Object& o, const Around& around, Around& inside, const std::string& moved) {
     std::string text;
     if (o.material != no_material) inside.material = o.material;
@@ -210,8 +210,8 @@ private:
                        interior(says_it ? material(o.material) : *leftmost(o, around.material, needs_interior)));
   }
 
-  // POV-Ray's rays start inside of all that holds the eye, whether it is a medium or not: `inverse` turns the inside of
-  // what is none outwards, which changes nothing else, because normals are turned to the viewer.
+  // POV-Ray's rays start inside everything that contains the eye, whether it is a medium or not: `inverse` turns the
+  // inside of a non-medium outwards, which changes nothing else, because normals are flipped to the viewer.
   std::string eye(const Object& o, const Around& inside) {
     if (inside.in_solid || !has_media_ || o.shape.kind == kind_of<Group>) return {};
     const std::size_t held = held_eyes(o, inside.to_scene);
@@ -248,7 +248,7 @@ private:
            leftmost(o, inherited, [](const Material& m) { return !is_opaque(m); }) != nullptr;
   }
 
-  // Of a group that the eye is in POV-Ray knows only that, not the member; and instances differ in it.
+  // For a group around the eye POV-Ray knows only that, not the member; and instances differ in it.
   bool must_be_apart(const Object& o, const Around& inside) const {
     if (!has_media_) return false;
     for (const Object& member : parts(scene_.shapes, o.shape)) {
@@ -261,7 +261,7 @@ private:
     return false;
   }
 
-  // The first material of a part that is such. A combination is one medium: its own material's, else that of its
+  // The material of the first part that is suitable. A combination is one medium: its own material's, else that of its
   // leftmost part that has an index.
   template <class Is>
   const Material* leftmost(const Object& o, MaterialId inherited, const Is& is_such) const {
@@ -296,7 +296,7 @@ private:
 
   void composite(Writer& out, std::string_view word, ShapeRef shape, const Around& inside, const std::string& modifiers,
                  std::uint32_t uses) {
-    // Ids tell the members of instances apart: there every instance is written out.
+    // Ids distinguish the members of instances: then every instance is written out.
     if (uses > 1 && (options_.pass != Pass::ids || inside.in_solid)) {
       out.line(fmt::format("object {{ {}{} }}", declared(word, shape, inside), modifiers));
       return;
@@ -306,7 +306,7 @@ private:
     out.close(modifiers.empty() ? modifiers : modifiers.substr(1));
   }
 
-  // A shared composite is declared once for each way in which its surroundings reach into it.
+  // A shared composite is declared once for each different effect of its surroundings.
   std::string declared(std::string_view word, ShapeRef shape, const Around& inside) {
     const auto key =
         std::tuple(shape.kind, shape.index, inside.material, inside.is_textured, inside.in_solid, inside.in_shadowless);
@@ -365,7 +365,7 @@ private:
   std::vector<Inexact> inexact_;
   Origin current_;
   std::uint32_t last_id_ = 0;
-  bool has_media_ = false; ///< any material asks for an index of refraction
+  bool has_media_ = false; ///< some material requires an index of refraction
   int media_around_eye_ = 0;
   std::vector<Vec3> eyes_;
 };

@@ -12,7 +12,7 @@ double square(const Vec3& v) {
   return dot(v, v);
 }
 
-// Between two discs, with a radius that goes evenly from one to the other.
+// Between two discs, with a radius that varies linearly from one to the other.
 bool is_between(const Vec3& from, const Vec3& to, double first, double last, const Vec3& p) {
   const double share = dot(p - from, to - from) / square(to - from);
   const double radius = first + share * (last - first);
@@ -50,7 +50,7 @@ bool holds(const Cone& c, const Vec3& p) {
   return is_between(c.from, c.to, c.radius, c.top_radius, p);
 }
 
-// POV-Ray's disc has everything below it for its inside.
+// POV-Ray's disc has everything below it as its inside.
 bool holds(const Disc& d, const Vec3& p) {
   return dot(d.normal, p) < 0;
 }

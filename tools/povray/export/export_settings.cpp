@@ -8,7 +8,7 @@
 namespace rt::tools::povray {
 namespace {
 
-// POV-Ray's own limit; a greater number is replaced by it.
+// POV-Ray's own limit; it clamps greater numbers.
 constexpr int most_trace_levels = 256;
 
 } // namespace

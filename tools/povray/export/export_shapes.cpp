@@ -25,7 +25,7 @@ std::string span_of(const Vec3& from, const Vec3& to, double radius, bool open) 
   return fmt::format("{}, {}, {}{}", vector(from), vector(to), number(radius), open ? " open" : "");
 }
 
-// |p|² − (a·p)² = r² about the unit axis a through the origin: a quadric, because POV-Ray's cylinders end.
+// |p|² − (a·p)² = r² about the unit axis a through the origin: a quadric, because POV-Ray's cylinders are finite.
 Primitive endless_cylinder(const Vec3& through, const Vec3& axis, double radius) {
   const Vec3 a = unit(axis);
   std::string body = fmt::format("{}, {}, <0, 0, 0>, {}", vector({1 - a.x * a.x, 1 - a.y * a.y, 1 - a.z * a.z}),
@@ -44,7 +44,7 @@ Primitive primitive_of(const Cylinder& c) {
   return {"cylinder", span_of(-half, half, c.radius, c.open)};
 }
 
-// POV-Ray's cone wants two different radii.
+// POV-Ray's cone requires two different radii.
 Primitive primitive_of(const Cone& c) {
   if (c.radius == c.top_radius) return {"cylinder", span_of(c.from, c.to, c.radius, c.open)};
   return {"cone", fmt::format("{}, {}, {}, {}{}", vector(c.from), number(c.radius), vector(c.to), number(c.top_radius),
@@ -90,7 +90,7 @@ Primitive parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) {
 Primitive primitive_of(const Quad& q) {
   if (q.points) return outline(*q.points);
   if (q.corner && q.edge_u && q.edge_v) return parallelogram(*q.corner, *q.edge_u, *q.edge_v);
-  // One edge is level: along y × normal, or along x where the normal is vertical.
+  // One edge is horizontal: along y × normal, or along x if the normal is vertical.
   const Vec3 n = unit(q.normal.value_or(Vec3{0, 1, 0}));
   const double tilt = std::hypot(n.x, n.z), size = q.size.value_or(1);
   const Vec3 u = (tilt > 1e-9 ? Vec3{n.z, 0, -n.x} / tilt : Vec3{1, 0, 0}) * size;
@@ -107,8 +107,8 @@ Primitive primitive_of(const Combination&) {
 
 } // namespace
 
-// The slab is cut away by a thinner and narrower one; what is inside of it and below the disc is all that is left of
-// the disc's inside, because POV-Ray does not ask `clipped_by` for that.
+// The slab is cut away by a thinner and narrower one; what is inside it and below the disc is all that remains of the
+// disc's inside, because POV-Ray ignores `clipped_by` for that.
 Primitive thin_primitive(const Disc& d) {
   const Vec3 half = d.normal / std::hypot(d.normal.x, d.normal.y, d.normal.z) * (d.radius * 1e-3);
   const auto slab = [&](double height, double width) {

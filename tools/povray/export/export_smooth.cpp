@@ -11,12 +11,12 @@ using namespace rt::scene;
 Triangle moved(Triangle t, const Map& map) {
   const Map back = inverse(map);
   for (Vec3& p : t.points) p = map.point(p);
-  // By the inverse's transpose; in a row-vector map its rows are the inverse's columns.
+  // By the inverse transpose; in a row-vector map its rows are the inverse's columns.
   for (Vec3& n : t.normals) n = unit({dot(back.row[0], n), dot(back.row[1], n), dot(back.row[2], n)});
   return t;
 }
 
-// One by one, as they are written.
+// One by one, as written.
 std::vector<Map> steps_of(const Placement& placement) {
   std::vector<Map> steps{map_of(ScaleStep{placement.scale, {}}), map_of(RotateStep{placement.rotate, {}}),
                          map_of(MoveStep{placement.at})};
@@ -24,7 +24,7 @@ std::vector<Map> steps_of(const Placement& placement) {
   return steps;
 }
 
-// Whether it is left out before or after any of the steps; `t` is what they make of it.
+// Whether it is dropped before or after any of the steps; `t` is transformed by them.
 bool is_dropped_on_the_way(Triangle& t, const Placement& placement) {
   bool is_lost = is_dropped(t);
   for (const Map& step : steps_of(placement)) {

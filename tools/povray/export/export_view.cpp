@@ -10,8 +10,8 @@ namespace {
 
 using namespace rt::scene;
 
-// POV-Ray's fade is 2 / (1 + (D / fade_distance)^fade_power): the colour is halved for it. 1 / D² is the limit of
-// (1/e²) / (1 + (D/e)²) for small e, with a relative error of (e/D)²: 1e-12 at distance 1.
+// POV-Ray's fade is 2 / (1 + (D / fade_distance)^fade_power): the colour is halved to compensate. 1 / D² is the limit
+// of (1/e²) / (1 + (D/e)²) for small e, with a relative error of (e/D)²: 1e-12 at distance 1.
 std::string fade(const Fade& fade, Color& color) {
   constexpr double e = 1e-6;
   switch (fade.law) {
@@ -53,7 +53,7 @@ std::string body(const SpotLight& source, const Light& light, const Camera&) {
                      all_transforms(light));
 }
 
-// A parallel light of POV-Ray stands on a plane and what is beyond that plane casts no shadow: it is put farther away
+// POV-Ray's parallel lights are on a plane, and what is beyond that plane casts no shadow: it is placed farther away
 // than anything POV-Ray sees.
 std::string body(const SunLight& source, const Light& light, const Camera& camera) {
   Vec3 way = source.direction;
@@ -64,7 +64,7 @@ std::string body(const SunLight& source, const Light& light, const Camera& camer
                      rgb(source.color * source.intensity), source.shadows ? "" : " shadowless");
 }
 
-// A gradient repeats from 0 to 1 along its axis: stretched, it goes from the nadir to the zenith.
+// A gradient repeats from 0 to 1 along its axis: stretched, it extends from the nadir to the zenith.
 std::string body(const SkyLight& source, const Light& light, const Camera&) {
   Vec3 up{0, 1, 0};
   for (const Step& step : light.chain) up = map_of(step).vector(up);
@@ -109,8 +109,8 @@ std::vector<Vec3> ray_origins(const Camera& camera, Resolution size) {
   return origins;
 }
 
-// The four vectors that POV-Ray's rays are made of: direction + x·right + y·up with x and y from −½ to ½, or, in an
-// orthographic view, location + x·right + y·up. Written like this, neither its handedness nor its field of view enters.
+// The four vectors that define POV-Ray's rays: direction + x·right + y·up with x and y from −½ to ½, or, in an
+// orthographic view, location + x·right + y·up. This way neither its handedness nor its field of view matters.
 void write_camera(Writer& out, const Camera& camera, Resolution size) {
   const View view = view_of(camera, size);
   out.open("camera");
@@ -122,9 +122,9 @@ void write_camera(Writer& out, const Camera& camera, Resolution size) {
   out.close();
 }
 
-// A distance d is (1 + u)/2 · 2^e with 0 ≤ u < 1. The channels of 16 bits hold u's first 16 bits, its next 16, and
-// e + 32 in 7 bits with the last 9 bits of u. A pattern's value must not leave [0, 1]; `average` divides by three,
-// which the colour maps undo.
+// A distance d is (1 + u)/2 · 2^e with 0 ≤ u < 1. The 16-bit channels hold u's first 16 bits, its next 16, and e + 32
+// in 7 bits with the last 9 bits of u. A pattern's value must not leave [0, 1]; `average` divides by three, which the
+// colour maps undo.
 void write_depth_functions(Writer& out, const Camera& camera) {
   if (camera.projection == Projection::orthographic) {
     const Vec3 f = unit(camera.look_at - camera.at);

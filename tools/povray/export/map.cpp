@@ -22,7 +22,7 @@ Map scaling(const Vec3& factors) {
   return map;
 }
 
-// Turns the plane of the two axes, from `first` towards `second`.
+// Rotates the plane of the two axes, from `first` towards `second`.
 Map turning(std::size_t first, std::size_t second, double degrees) {
   Map map;
   const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
@@ -82,8 +82,8 @@ Map inverse(const Map& map) {
   return result;
 }
 
-// The rotation as a sum of projections: what lies along the unit axis a stays, the rest turns in its plane,
-// v' = a (a·v) + cos·(v − a (a·v)) + sin·(a × v).
+// The rotation as a sum of projections: the part along the unit axis a is unchanged, the rest rotates in its plane, v'
+// = a (a·v) + cos·(v − a (a·v)) + sin·(a × v).
 Map map_of(const scene::RotateAxisStep& step) {
   const Vec3 a = step.axis / std::hypot(step.axis.x, step.axis.y, step.axis.z);
   const double c = std::cos(radians(step.degrees)), s = std::sin(radians(step.degrees));

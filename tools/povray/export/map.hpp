@@ -4,8 +4,8 @@
 
 #include <array>
 
-/// The exporter's own affine maps. They are computed here a second time, from the steps as they were written and in
-/// POV-Ray's convention (row vectors), so that a mistake in the renderer's matrices cannot agree with itself.
+/// The exporter's own affine maps. They are computed here a second time, from the steps as written and in POV-Ray's
+/// convention (row vectors), so that an error in the renderer's matrices cannot go unnoticed.
 namespace rt::tools::povray {
 
 /// p' = p · M: rows 0 to 2 are the images of the unit vectors, row 3 is the translation. The order of POV-Ray's
@@ -20,10 +20,10 @@ struct Map {
 
 /// First `a`, then `b`.
 Map then(const Map& a, const Map& b);
-/// `map` must not flatten space.
+/// `map` must not be singular.
 Map inverse(const Map& map);
 
-/// The vector of length 1 in the direction of `v`.
+/// The unit vector in the direction of `v`.
 Vec3 unit(const Vec3& v);
 
 Map map_of(const scene::RotateAxisStep& step);

@@ -37,7 +37,7 @@ std::string transform_of(const Other& step) {
 
 } // namespace
 
-// Without the sign of a negative zero, which means nothing in a scene.
+// Without the sign of a negative zero, which is meaningless in a scene.
 std::string number(double value) {
   return fmt::format("{}", value == 0 ? 0.0 : value);
 }

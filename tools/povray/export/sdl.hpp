@@ -14,23 +14,23 @@ namespace rt::tools::povray {
 std::string number(double value);
 /// `<x, y, z>`
 std::string vector(const Vec3& v);
-/// `rgb <r, g, b>`, with `filter` other than 0 `rgbf <r, g, b, filter>`.
+/// `rgb <r, g, b>`, or `rgbf <r, g, b, filter>` if `filter` is not 0.
 std::string rgb(const Color& color, double filter = 0);
 
-/// One transform of POV-Ray's own, with a leading blank: ` scale <2, 1, 1>`; nothing for one that changes nothing.
-/// `rotate`, `scale` and `translate` are POV-Ray's arithmetic; the steps it has no word for become a `matrix`.
+/// A transform of POV-Ray's own, with a leading blank: ` scale <2, 1, 1>`; nothing for the identity. `rotate`, `scale`
+/// and `translate` use POV-Ray's arithmetic; the steps it has no keyword for become a `matrix`.
 std::string transform(const scene::Step& step);
 /// All steps of a placement in order, each with a leading blank.
 std::string transforms(const scene::Placement& placement);
 std::string matrix(const Map& map);
 
-/// Collects lines, indented by the blocks that are open.
+/// Collects lines, indented by the open blocks.
 class Writer {
 public:
   void line(std::string_view text);
   /// Writes `head {` and indents what follows.
   void open(std::string_view head);
-  /// Ends the innermost block; `tail` stands before its brace, on a line of its own.
+  /// Ends the innermost block; `tail` precedes its brace, on a line of its own.
   void close(std::string_view tail = {});
   /// To the end of the line: control characters become blanks.
   void comment(std::string_view text);

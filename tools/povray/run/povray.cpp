@@ -28,7 +28,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-// POV-Ray's output begins with pages of credits; what it says about the scene starts where it parses.
+// POV-Ray's output begins with pages of credits; its messages about the scene start where it parses.
 std::string complaint(const std::string& errors) {
   const std::size_t parsing = errors.find("==== [Parsing");
   const std::size_t line = parsing == std::string::npos ? 0 : errors.find('\n', parsing);
@@ -41,7 +41,7 @@ std::string complaint(const std::string& errors) {
 
 constexpr int most_starts = 5;
 
-// -D: no window, -A: no antialiasing, -P -V: nothing to wait for or to look at; the streams but the one of errors are
+// -D: no window, -A: no antialiasing, -P -V: no pauses and no progress output; all streams but that of errors are
 // off.
 void run(const ScratchFolder& folder, const std::string& text, int width, int height, const RunOptions& options) {
   write_file(folder.path() / "scene.pov", text);
@@ -78,7 +78,7 @@ void run(const ScratchFolder& folder, const std::string& text, int width, int he
 } // namespace
 
 // While it renders, POV-Ray streams raw float pixels into a file named like the picture, for continuing an interrupted
-// run, and removes it in the end. Where that name is a link to another file, the data stay in that one.
+// run, and removes it at the end. If that name is a link to another file, the data stay in that one.
 Picture render(const std::string& text, int width, int height, const RunOptions& options) {
   const ScratchFolder folder;
   write_file(folder.path() / "state", {});

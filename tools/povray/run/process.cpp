@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* errors_file = ".errors";
 
-// What the child needs, made before the fork: between fork and exec nothing may allocate.
+// What the child needs, prepared before the fork: between fork and exec nothing may allocate.
 struct Launch {
   std::string program, folder, errors, home;
   std::vector<std::string> arguments;
@@ -48,8 +48,8 @@ Launch prepare(const std::filesystem::path& program, const std::vector<std::stri
   _exit(127);
 }
 
-// Sleeps until the process ends, but not for long: a stop from outside must be noticed. Asking every few milliseconds
-// costs more than POV-Ray does where many of them work at a time.
+// Sleeps until the process ends, but not for long: a stop from outside must be noticed. Polling every few milliseconds
+// costs more than POV-Ray itself if many run concurrently.
 class ProcessEnd {
 public:
   explicit ProcessEnd(pid_t process) : file_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
@@ -60,7 +60,7 @@ public:
   ProcessEnd& operator=(const ProcessEnd&) = delete;
 
   void wait_a_while() const {
-    constexpr int while_running = 100, without_files = 5; // milliseconds; kernels before 5.3 have no files of processes
+    constexpr int while_running = 100, without_files = 5; // milliseconds; kernels before 5.3 have no pidfd
     pollfd file{file_, POLLIN, 0};
     poll(&file, file_ >= 0 ? 1 : 0, file_ >= 0 ? while_running : without_files);
   }

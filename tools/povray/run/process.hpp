@@ -9,10 +9,10 @@
 
 namespace rt::tools {
 
-/// A folder of its own in the system's folder for temporary files, removed with everything in it.
+/// A new folder in the system's folder for temporary files, removed with all its contents.
 class ScratchFolder {
 public:
-  /// Throws std::filesystem::filesystem_error when it cannot be made.
+  /// Throws std::filesystem::filesystem_error if it cannot be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
@@ -23,7 +23,7 @@ private:
   std::filesystem::path path_;
 };
 
-/// The file that a program's name stands for, by PATH; empty if there is none.
+/// The executable of a program found in PATH; empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
 struct ProcessResult {
@@ -33,8 +33,8 @@ struct ProcessResult {
   std::string errors;     ///< what it wrote to standard error
 };
 
-/// Runs a program without any shell, with `folder` as its working folder and home, no input, and output thrown away;
-/// waits for it, and kills it after `limit` or when `stop` is set. It dies with the thread that called.
+/// Runs a program without a shell, with `folder` as its working and home folder, no input, and its output discarded;
+/// waits for it, and kills it after `limit` or when `stop` is set. It dies with the calling thread.
 ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit,
                           const std::atomic<bool>* stop = nullptr);

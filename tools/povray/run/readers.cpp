@@ -8,8 +8,7 @@
 namespace rt::tools::povray {
 namespace {
 
-// Numbers are stored with the most significant byte first. Reading beyond the end yields zeros and is noticed by
-// `failed`.
+// Numbers are stored big-endian. Reading beyond the end yields zeros and is reported by `failed`.
 class Bytes {
 public:
   explicit Bytes(std::string_view data) : data_(data) {}

@@ -51,7 +51,7 @@ std::vector<Measure> measures(const Difference& d) {
   return all;
 }
 
-// Without gates of their own, pictures must be the same.
+// If no gates are given, pictures must be identical.
 std::vector<std::optional<double>> bounds(const std::vector<Measure>& all, const std::vector<std::string>& given) {
   std::vector<double> values(all.size(), std::nan(""));
   std::vector<NamedNumber> known;

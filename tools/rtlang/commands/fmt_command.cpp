@@ -23,8 +23,8 @@ struct FmtArguments {
   bool only_checks = false;
 };
 
-// All files of one run. One that cannot be formatted keeps none of the others from it; the worst of what became of them
-// is the exit code.
+// All files of one run. One that cannot be formatted does not prevent the others from being formatted; the exit code is
+// the worst of their results.
 class Run {
 public:
   explicit Run(const FmtArguments& arguments) : arguments_(arguments), one_(*arguments.scene) {}
@@ -69,7 +69,7 @@ private:
   void ends_with(int code) { exit_code_ = std::max(exit_code_, code); }
 
   const FmtArguments& arguments_;
-  SceneArguments one_; // with the path of the file at hand
+  SceneArguments one_; // with the path of the current file
   lang::SourceMap sources_;
   std::vector<lang::Diagnostic> wrong_;
   int exit_code_ = exit_fine;

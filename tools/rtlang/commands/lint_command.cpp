@@ -30,7 +30,7 @@ int list_rules() {
   return exit_fine;
 }
 
-// What was said of how many warnings.
+// A summary: the number of warnings.
 std::string conclusion(const std::vector<lang::Diagnostic>& warnings) {
   if (warnings.empty()) return "no warnings\n";
   const bool is_one = warnings.size() == 1;

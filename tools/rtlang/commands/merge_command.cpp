@@ -27,7 +27,7 @@ bool is_before(const SamplePart& a, const SamplePart& b) {
   return std::tuple(a.count, a.index) < std::tuple(b.count, b.index);
 }
 
-/// Pictures of one scene, of one piece of its picture.
+/// Requires pictures of the same scene, and of the same part of its picture.
 void require_alike(const PictureWithSums& a, const PictureWithSums& b) {
   if (a.label.samples_hash != b.label.samples_hash)
     throw UsageError(fmt::format("`{}` and `{}` are of different scenes, sizes or seeds", a.path, b.path));
@@ -36,7 +36,7 @@ void require_alike(const PictureWithSums& a, const PictureWithSums& b) {
     throw UsageError(fmt::format("`{}` and `{}` show different parts of the picture", a.path, b.path));
 }
 
-/// Samples that no two of the pictures have.
+/// The parts of all pictures, which must have no samples in common.
 std::vector<SamplePart> joined_parts(const std::vector<PictureWithSums>& pictures) {
   std::vector<SamplePart> parts;
   for (const PictureWithSums& picture : pictures) {

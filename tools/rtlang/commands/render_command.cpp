@@ -51,19 +51,19 @@ struct RenderArguments {
   std::shared_ptr<SceneArguments> scene;
   std::shared_ptr<live::PictureSettings> picture;
   std::vector<std::string> outputs;
-  std::string format; ///< for outputs whose name does not say; empty: png
+  std::string format; ///< for outputs whose name does not determine it; empty: png
   std::string crop;
   int bits = 8;
   int threads = 0;
   double seconds = 0; ///< at most; 0: as long as it takes
   std::optional<SamplePart> part;
   bool keeps_sums = false;
-  std::string earlier; ///< a picture that is to be continued
+  std::string earlier; ///< a picture to be continued
   bool keeps_partial = false;
   std::string statistics; ///< "text", "json", or empty for the one line
 };
 
-/// "90s", "5m", "1.5h", or a number of seconds; nothing for what is no time, or none at all.
+/// "90s", "5m", "1.5h", or a number of seconds; nothing if it is not a positive time.
 std::optional<double> seconds_of(std::string_view text) {
   double unit = 1;
   if (text.ends_with('s') || text.ends_with('m') || text.ends_with('h')) {
@@ -96,7 +96,7 @@ bool shows_progress(const RenderArguments& arguments) {
   return error_is_terminal() && !arguments.scene->is_quiet && !arguments.scene->json_diagnostics;
 }
 
-/// While it lives, tells how long that has been.
+/// During its lifetime it shows how long that has been.
 class Waiting {
 public:
   explicit Waiting(const std::function<void(double seconds)>& tell)
@@ -115,7 +115,7 @@ private:
   std::jthread thread_;
 };
 
-/// Where the picture goes and as what. Without -o: a png in the current folder, named like the scene.
+/// Where to write the picture and in which format. Without -o: a png in the current folder, named like the scene.
 std::vector<Output> outputs(const RenderArguments& arguments) {
   std::vector<std::string> paths = arguments.outputs;
   if (paths.empty()) {
@@ -138,7 +138,7 @@ std::vector<Output> outputs(const RenderArguments& arguments) {
   return list;
 }
 
-/// A picture that cannot be written should be known before it is made.
+/// If a picture cannot be written, that should be known before it is rendered.
 void require_folders(const std::vector<Output>& list) {
   for (const Output& output : list)
     if (output.path != "-") require_writable(output.path);
@@ -153,7 +153,7 @@ PixelRect crop(const std::string& text, const scene::Resolution& size) {
   return rect;
 }
 
-/// What is said about a picture in its file.
+/// The metadata of a picture in its file.
 std::vector<std::pair<std::string, std::string>> text_of(const scene::Scene& scene, const std::string& hash,
                                                          bool is_exr, const std::optional<SumsLabel>& sums) {
   const std::string software = fmt::format("rtlang {}", version_number());
@@ -180,7 +180,7 @@ void write(const std::vector<Output>& list, const Rendered& rendered, const Rend
     const EncodeOptions options{arguments.bits, text_of(scene, hash, output.format == ImageFormat::exr, sums),
                                 [&ids](std::uint32_t id) { return ids.name(id); }};
     const std::string bytes = [&] {
-      // Nothing is half written yet. A part of a picture is wanted in spite of the signal that cut it.
+      // Nothing is half written yet. A partial picture is wanted in spite of the signal that interrupted it.
       std::optional<EndsAtOnce> encoding;
       if (rendered.is_complete) encoding.emplace();
       return encode(rendered.film, output.format, options);
@@ -201,7 +201,7 @@ void report(const RenderArguments& arguments, const RunStatistics& statistics) {
     print_error(summary(statistics));
 }
 
-/// The line of the thing that an object of the film stands for: "ball (scene.rtl:12)".
+/// The line of the thing that an object of the film belongs to: "ball (scene.rtl:12)".
 std::string place_of(const scene::Scene& scene, std::uint32_t id) {
   const ObjectIds ids(scene);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -252,7 +252,7 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
   return rendered;
 }
 
-/// What goes with path mode alone, and with what.
+/// Options that require random samples, and what else they require.
 void require_path_options(const RenderArguments& arguments, const scene::Scene& scene, bool has_exr) {
   const auto require_path = [&](bool is_given, std::string_view option) {
     if (is_given && !scene.is_random())
@@ -268,7 +268,7 @@ void require_path_options(const RenderArguments& arguments, const scene::Scene& 
     throw UsageError("--part does not go with the scene's `noise`, which is that of all samples together");
 }
 
-/// The picture that is to be continued, if it is one of this scene.
+/// The picture to be continued, if it is of this scene.
 std::optional<PictureWithSums> earlier_picture(const RenderArguments& arguments, const SumsLabel& label,
                                                const PixelRect& rect) {
   if (arguments.earlier.empty()) return std::nullopt;
@@ -294,7 +294,7 @@ int run_render(const RenderArguments& arguments) {
   RunStatistics statistics;
   lang::Loaded loaded = load(*arguments.scene);
   if (!loaded.scene) return exit_scene_is_wrong;
-  loaded.sources = {}; // all is said about the text, and it may be large
+  loaded.sources = {}; // all diagnostics were reported, and the text may be large
   scene::Scene& scene = *loaded.scene;
   arguments.picture->apply_to(scene);
   statistics.load_seconds = seconds_since(start);

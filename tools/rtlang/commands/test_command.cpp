@@ -25,7 +25,7 @@ bool is_error(const lang::Diagnostic& diagnostic) {
   return diagnostic.severity == lang::Severity::error;
 }
 
-/// Errors and failures; what is remarked about a scene that can be read is no business of its tests.
+/// Errors and failures; remarks about a valid scene are not the concern of its tests.
 void report(const lang::Loaded& loaded, const SceneArguments& arguments) {
   std::vector<lang::Diagnostic> wrong;
   std::copy_if(loaded.diagnostics.begin(), loaded.diagnostics.end(), std::back_inserter(wrong), is_error);

@@ -23,7 +23,7 @@ struct ViewArguments {
   std::shared_ptr<live::PictureSettings> picture;
 };
 
-/// A scene that cannot be read any more is no reason to close the window.
+/// A scene that can no longer be read is no reason to close the window.
 std::unique_ptr<live::Document> load_again(const ViewArguments& arguments) {
   try {
     return std::make_unique<live::Document>(load_document(*arguments.scene, *arguments.picture));

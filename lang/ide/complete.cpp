@@ -330,6 +330,10 @@ private:
     case PropertyType::metal:
       add_types(Category::material);
       break;
+    case PropertyType::stops:
+      add_types(Category::pattern);
+      add_colors(Nearness::place);
+      break;
     case PropertyType::color:
       add_colors(Nearness::place);
       break;

@@ -45,6 +45,8 @@ std::string type_text(const Property& property) {
     return "{ color, distance }";
   case PropertyType::function:
     return "function of a point";
+  case PropertyType::stops:
+    return "list of stops";
   case PropertyType::material:
     return "material, colour or pattern";
   case PropertyType::text:

@@ -10,7 +10,7 @@ namespace {
 using scene::Field;
 using scene::FieldType;
 
-static_assert(static_cast<int>(PropertyType::function) == static_cast<int>(FieldType::function));
+static_assert(static_cast<int>(PropertyType::stops) == static_cast<int>(FieldType::stops));
 
 Property from_field(const Field& f) {
   return {

@@ -31,6 +31,7 @@ enum class PropertyType : std::uint8_t {
   metal,
   absorb,
   function,
+  stops,
   material,
   text,
 };

@@ -1,220 +1,12 @@
 #include "lang/values/properties.hpp"
 
-#include "lang/text/characters.hpp"
 #include "lang/values/builtin.hpp"
 #include "lang/values/css_colors.hpp"
 #include "lang/values/thing.hpp"
-#include "lang/values/value_errors.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
+#include <string>
 
 namespace rt::lang {
-namespace {
-
-bool has_category(const Value& value, Category category) {
-  return value.is(ValueKind::thing) && value.thing().type->category == category;
-}
-
-Diagnostic wrong_type(const Property& property, const Value& value) {
-  std::string wanted(describe(property));
-  if (property.type == PropertyType::choice) {
-    wanted.clear();
-    for (std::size_t i = 0; i < property.choices.size(); ++i) {
-      if (i > 0) wanted += i + 1 == property.choices.size() ? " or " : ", ";
-      wanted += fmt::format("`{}`", property.choices[i]);
-    }
-  }
-  return errors::wrong_property_value({}, fmt::format("`{}` takes {}, not {}", property.name, wanted, describe(value)),
-                                      "this is " + describe(value));
-}
-
-std::optional<Diagnostic> mistake_of(const Property& property, const std::optional<scene::Violation>& violation) {
-  using Kind = scene::Violation::Kind;
-  if (!violation) return std::nullopt;
-  const auto error = violation->kind == Kind::not_finite ? errors::not_finite
-                     : violation->kind == Kind::flattens ? errors::flattened
-                                                         : errors::value_out_of_bounds;
-  return error({}, fmt::format("`{}` {}", property.name, violation->rule), violation->found, {});
-}
-
-/// Why a value is not a vector of three numbers.
-Diagnostic no_vector(const Property& property, const Value& value) {
-  Diagnostic mistake = wrong_type(property, value);
-  if (value.is(ValueKind::vector)) mistake.label = "this has two numbers";
-  if (!value.is(ValueKind::list)) return mistake;
-  const std::vector<Value>& items = value.items();
-  if (items.size() != 3) mistake.label = fmt::format("this has {} elements", items.size());
-  for (std::size_t i = 0; i < items.size() && items.size() == 3; ++i) {
-    if (!items[i].is_number()) mistake.label = fmt::format("element {} is {}", i, describe(items[i]));
-  }
-  return mistake;
-}
-
-std::optional<Diagnostic> check_vector(const Property& property, const Value& value) {
-  if (!value.is_vector3()) return no_vector(property, value);
-  return mistake_of(property, check(property.constraint, value.vector()));
-}
-
-std::optional<Diagnostic> check_size(const Property& property, const Value& value) {
-  const bool is_number = value.is_number();
-  if (!is_number && !value.is_vector3()) return no_vector(property, value);
-  const Vec3 v = is_number ? Vec3{value.number(), value.number(), value.number()} : value.vector();
-  return mistake_of(property, check_size(property.constraint, v));
-}
-
-// How to write the colour that a vector or a string is meant to be.
-std::optional<std::string> color_way_out(const Value& value, bool takes_material = false) {
-  if (value.is_vector3()) {
-    const Vec3& v = value.vector();
-    const bool is_bytes = std::max({v.x, v.y, v.z}) > 1;
-    if (!is_bytes)
-      return fmt::format("write `rgb({}, {}, {})`", format_number(v.x), format_number(v.y), format_number(v.z));
-    const auto byte = [](double x) { return std::lround(std::clamp(x, 0.0, 255.0)); };
-    return fmt::format("write `#{:02x}{:02x}{:02x}`", byte(v.x), byte(v.y), byte(v.z));
-  }
-  if (!value.is(ValueKind::string)) return std::nullopt;
-  const std::string& text = value.text();
-  const bool is_name =
-      find_css_color(text) || (takes_material && !text.empty() && std::ranges::all_of(text, is_name_part));
-  if (is_name || text.starts_with('#')) return fmt::format("write `{}`, without quotes", text);
-  return std::nullopt;
-}
-
-std::optional<Diagnostic> check_color(const Property& property, const Value& value) {
-  const auto color = as_color(value);
-  if (!color) {
-    Diagnostic mistake = wrong_type(property, value);
-    mistake.label = color_way_out(value).value_or(mistake.label);
-    if (has_category(value, Category::material))
-      mistake.notes.push_back({std::nullopt, "a material has a colour of its own: `m.color`"});
-    return mistake;
-  }
-  return mistake_of(property, check(property.constraint, *color));
-}
-
-/// What a function that was compiled gives, where a number is asked for.
-std::optional<Diagnostic> check_gives_number(const Property& property, const Value& function) {
-  if (function.closure().compiled->results.size() == 1) return std::nullopt;
-  return errors::wrong_property_value(
-      {}, fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property.name),
-      "this function gives a colour");
-}
-
-/// Looks through a pattern, all the way down, for what a property that is a number would not take by itself.
-class PatternCheck {
-public:
-  explicit PatternCheck(const Property& property) : property_(property) {}
-
-  std::optional<Diagnostic> run(const Thing& pattern) {
-    if (!seen_.insert(&pattern).second) return std::nullopt;
-    for (std::size_t i = 0; i < pattern.type->properties.size(); ++i) {
-      const auto id = static_cast<std::uint16_t>(i);
-      const PropertyValue* written = pattern.find(id);
-      if (written && is_function(written->value)) {
-        if (auto mistake = check_gives_number(property_, written->value)) return mistake;
-        continue;
-      }
-      if (!pattern.type->properties[i].is_textured()) continue;
-      if (auto mistake = check_part(pattern, id)) return mistake;
-    }
-    return std::nullopt;
-  }
-
-private:
-  std::optional<Diagnostic> check_part(const Thing& pattern, std::uint16_t id) {
-    const PropertyValue* written = pattern.find(id);
-    if (written && is_pattern(written->value)) return run(written->value.thing());
-    if (written && written->value.is_poison()) return std::nullopt;
-    if (written && !written->value.is_number())
-      return errors::wrong_property_value(
-          {}, fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property_.name),
-          "this holds a colour");
-    const auto value = written ? written->value : default_value(*pattern.type, pattern.type->properties[id]);
-    const std::optional<Color> shown = value ? as_color(*value) : std::nullopt;
-    auto mistake = shown ? mistake_of(property_, check(property_.constraint, shown->r)) : std::nullopt;
-    if (mistake)
-      mistake->label = fmt::format("the `{}` of this {} is {}", pattern.type->properties[id].name, pattern.type->name,
-                                   format_number(shown->r));
-    return mistake;
-  }
-
-  const Property& property_;
-  std::set<const Thing*> seen_;
-};
-
-/// A pattern where none is allowed.
-Diagnostic must_be_constant(const Property& property, const Value& value) {
-  Diagnostic mistake = wrong_type(property, value);
-  mistake.notes.push_back({std::nullopt, fmt::format("{}: write one number", property.field->constant_because)});
-  return mistake;
-}
-
-std::optional<Diagnostic> check_points(const Property& property, const Value& value) {
-  if (!is_sequence(value) || value.is(ValueKind::range)) return wrong_type(property, value);
-  const std::size_t size = sequence_size(value);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Value point = sequence_at(value, i);
-    if (point.is_poison()) return std::nullopt;
-    if (!point.is_vector3()) {
-      return errors::wrong_property_value(
-          {}, fmt::format("`{}` takes a list of points, each of three numbers", property.name),
-          fmt::format("element {} is {}", i, describe(point)));
-    }
-    if (const auto violation = check(property.constraint, point.vector())) return mistake_of(property, violation);
-  }
-  return mistake_of(property, check_count(property.constraint, size));
-}
-
-std::optional<Diagnostic> check_choice(const Property& property, const Value& value) {
-  const std::optional<std::string_view> written = as_choice(value);
-  if (written && std::ranges::find(property.choices, *written) != property.choices.end()) return std::nullopt;
-  Diagnostic mistake = wrong_type(property, value);
-  if (!value.is(ValueKind::choice)) return mistake;
-  mistake.message =
-      mistake.message.substr(0, mistake.message.rfind(", not")) + fmt::format(", not `{}`", value.choice());
-  mistake.label.clear();
-  return mistake;
-}
-
-std::optional<Diagnostic> check_resolution(const Property& property, const Value& value) {
-  const bool is_pair = value.is(ValueKind::vector) && value.vector_size() == 2;
-  if (!is_pair) return wrong_type(property, value);
-  const Vec3 size = value.vector();
-  return mistake_of(property, check(property.constraint, Vec3{size.x, size.y, size.y}));
-}
-
-std::optional<Diagnostic> check_material(const Property& property, const Value& value) {
-  if (is_material_like(value)) return std::nullopt;
-  Diagnostic mistake = wrong_type(property, value);
-  mistake.label = color_way_out(value, true).value_or(mistake.label);
-  return mistake;
-}
-
-std::optional<Diagnostic> check_parts(const Property& property, const Value& value) {
-  const bool is_record = value.is(ValueKind::record);
-  if (is_record && std::ranges::any_of(value.record().entries, [](const auto& e) { return e.value.is_poison(); }))
-    return std::nullopt;
-  const std::optional<scene::FieldValue> parts = as_parts(property, value);
-  if (!parts) {
-    Diagnostic mistake = wrong_type(property, value);
-    if (is_record) mistake.label = "this record has other fields, or other values in them";
-    if (has_category(value, Category::material)) mistake.label = "this material is no metal";
-    return mistake;
-  }
-  if (const scene::Metal* metal = std::get_if<scene::Metal>(&*parts))
-    return mistake_of(property, scene::detail::check_metal(*metal));
-  return mistake_of(property, scene::detail::check_absorb(std::get<scene::Absorb>(*parts)));
-}
-
-std::optional<Diagnostic> require(bool is_fine, const Property& property, const Value& value) {
-  return is_fine ? std::nullopt : std::optional(wrong_type(property, value));
-}
-
-} // namespace
 
 std::string_view describe(const Property& property) {
   switch (property.type) {
@@ -242,54 +34,14 @@ std::string_view describe(const Property& property) {
     return "{ color: …, distance: … }";
   case PropertyType::function:
     return "a function of a point";
+  case PropertyType::stops:
+    return "a list of stops such as [[0, navy], [1, white]]";
   case PropertyType::material:
     return "a material, a colour or a pattern";
   case PropertyType::text:
     return "a string";
   }
   return "";
-}
-
-std::optional<Diagnostic> check_value(const Property& property, const Value& value) {
-  if (value.is_poison()) return std::nullopt;
-  // The contents of a pattern were checked as colours when it was made.
-  if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
-  if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
-  if (is_function(value) && property.is_textured())
-    return property.type == PropertyType::color ? std::nullopt : check_gives_number(property, value);
-  if ((is_pattern(value) || is_function(value)) && property.field && !property.field->constant_because.empty())
-    return must_be_constant(property, value);
-  switch (property.type) {
-  case PropertyType::number:
-    if (!value.is_number()) return wrong_type(property, value);
-    return mistake_of(property, check(property.constraint, value.number()));
-  case PropertyType::boolean:
-    return require(value.is(ValueKind::boolean), property, value);
-  case PropertyType::vector:
-    return check_vector(property, value);
-  case PropertyType::size:
-    return check_size(property, value);
-  case PropertyType::color:
-    return check_color(property, value);
-  case PropertyType::points:
-    return check_points(property, value);
-  case PropertyType::choice:
-    return check_choice(property, value);
-  case PropertyType::fade:
-    return require(value.is(ValueKind::fade) || value.is(ValueKind::none), property, value);
-  case PropertyType::resolution:
-    return check_resolution(property, value);
-  case PropertyType::metal:
-  case PropertyType::absorb:
-    return check_parts(property, value);
-  case PropertyType::function:
-    return require(is_function(value), property, value);
-  case PropertyType::material:
-    return check_material(property, value);
-  case PropertyType::text:
-    return require(value.is(ValueKind::string), property, value);
-  }
-  return std::nullopt;
 }
 
 namespace {
@@ -359,8 +111,15 @@ std::optional<scene::FieldValue> as_parts(const Property& property, const Value&
   return k ? std::optional(scene::FieldValue(scene::Metal{*color, *k})) : std::nullopt;
 }
 
+std::optional<StopParts> as_stop(const Value& value) {
+  if (!is_sequence(value) || value.is(ValueKind::range) || sequence_size(value) != 2) return std::nullopt;
+  const Value place = sequence_at(value, 0);
+  return place.is_number() ? std::optional(StopParts{place.number(), sequence_at(value, 1)}) : std::nullopt;
+}
+
 std::optional<std::string_view> as_choice(const Value& value) {
   if (value.is(ValueKind::choice)) return value.choice();
+  if (value.is(ValueKind::builtin)) return value.builtin()->name;
   const bool is_bare_noun = value.is(ValueKind::thing) && value.thing().properties.empty() && !value.thing().chain;
   return is_bare_noun ? std::optional(value.thing().type->name) : std::nullopt;
 }
@@ -376,12 +135,17 @@ std::optional<Color> as_color(const Value& value) {
   return std::nullopt;
 }
 
+bool has_category(const Value& value, Category category) {
+  return value.is(ValueKind::thing) && value.thing().type->category == category;
+}
+
 bool is_function(const Value& value) {
   return value.is(ValueKind::closure);
 }
 
 bool takes_function(const Property& property) {
-  return property.is_textured() || property.type == PropertyType::material || property.type == PropertyType::function;
+  return property.is_textured() || property.type == PropertyType::material || property.type == PropertyType::function ||
+         property.type == PropertyType::stops;
 }
 
 bool is_pattern(const Value& value) {

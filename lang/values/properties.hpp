@@ -1,32 +1,38 @@
 #pragma once
 
-#include "lang/diagnostics/diagnostic.hpp"
 #include "lang/values/node_types.hpp"
 #include "lang/values/value.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace rt::lang {
 
 /// "a number", "a vector of three numbers": what a property takes.
 std::string_view describe(const Property& property);
 
-/// What is wrong with the value of a property, its type or else its constraint; the caller fills in the place. Poison
-/// passes.
-std::optional<Diagnostic> check_value(const Property& property, const Value& value);
-
-/// The default of a property; nothing if it has none (a plane's `y`).
+/// What a property is where it is not written; nothing where it has no value then (a plane's `y`).
 std::optional<Value> default_value(const NodeType& type, const Property& property);
 
 /// The metal or the absorption that the value describes as a record, or has as a material; else nothing.
 std::optional<scene::FieldValue> as_parts(const Property& property, const Value& value);
 
-/// The word that names one of several choices, even if it is also the noun of a thing (`filter: box`); else nothing.
+/// A place, and what a pattern shows there.
+struct StopParts {
+  double place;
+  Value shown;
+};
+/// Those of a list of two of which the first is a number; else nothing.
+std::optional<StopParts> as_stop(const Value& value);
+
+/// The word that stands for one of several choices, be it the noun of a thing as well (`filter: box`); else nothing.
 std::optional<std::string_view> as_choice(const Value& value);
 
 /// A colour, a number as grey, or what has a colour's name; else nothing.
 std::optional<Color> as_color(const Value& value);
 
+/// Whether the value is a thing of that sort.
+bool has_category(const Value& value, Category category);
 /// Whether the value is a function of the scene's, which may stand for the pattern that it is.
 bool is_function(const Value& value);
 /// Whether such a function may be the property's value.

@@ -27,7 +27,15 @@ enum class PatternId : std::uint32_t {};
 using Paint = std::variant<Color, PatternId>;
 using NumberPaint = std::variant<double, PatternId>;
 
-/// How light fades with the distance D from its source; `distance` is d, in scene units.
+/// What a pattern shows at a place between 0 and 1 of its own.
+struct Stop {
+  double place = 0;
+  Paint shown = black;
+  friend bool operator==(const Stop&, const Stop&) = default;
+};
+using Stops = std::vector<Stop>;
+
+/// How light weakens with distance D from its source; `distance` is d, in scene lengths.
 struct Fade {
   enum class Law : std::uint8_t { none, linear, quadratic, inverse_square }; // 1, 1/(1+D/d), 1/(1+(D/d)²), 1/D²
   Law law = Law::none;
@@ -95,6 +103,7 @@ enum class FieldType : std::uint8_t {
   metal,      ///< a record of n and k, or a material that has one
   absorb,     ///< a record of a colour and a distance
   function,   ///< of a point
+  stops,      ///< a list of places, each with what is shown there
 };
 
 /// Width and height in pixels.
@@ -106,7 +115,7 @@ using FunctionRef = std::shared_ptr<const Function>;
 FunctionRef constant_function(double value);
 
 using FieldValue = std::variant<double, bool, Vec3, Color, PatternId, std::vector<Vec3>, Choice, Fade, Resolution,
-                                Metal, Absorb, FunctionRef>;
+                                Metal, Absorb, FunctionRef, Stops>;
 
 /// One property of a description type.
 struct Field {
@@ -231,6 +240,7 @@ std::optional<Violation> check_points(const Field& field, const T& points) {
 }
 
 std::optional<Violation> check_function(const FunctionRef& function);
+std::optional<Violation> check_stops(const Stops& stops);
 
 template <class T>
 std::optional<Violation> check_value(const Field& field, const T& value) {
@@ -248,6 +258,8 @@ std::optional<Violation> check_value(const Field& field, const T& value) {
     return check_absorb(value);
   else if constexpr (std::is_same_v<T, FunctionRef>)
     return check_function(value);
+  else if constexpr (std::is_same_v<T, Stops>)
+    return check_stops(value);
   else if constexpr (std::is_same_v<T, Resolution>)
     return check(field.constraint, Vec3{static_cast<double>(value[0]), static_cast<double>(value[1]), 1.0});
   else if constexpr (is_paint<T>)
@@ -278,6 +290,8 @@ constexpr FieldType default_type() {
     return FieldType::absorb;
   else if constexpr (std::is_same_v<T, FunctionRef>)
     return FieldType::function;
+  else if constexpr (std::is_same_v<T, Stops>)
+    return FieldType::stops;
   else if constexpr (is_points<T>)
     return FieldType::points;
   else if constexpr (std::is_enum_v<T>)
@@ -334,21 +348,34 @@ constexpr Field field(std::string_view name, const FieldText& text) {
       }};
 }
 
-/// Calls f(id) for each pattern that the owner's fields refer to.
+/// Puts f(id) in the place of each pattern that the owner's fields show.
 template <class F>
-void for_each_pattern(std::span<const Field> table, const void* owner, F&& f) {
+void replace_patterns(std::span<const Field> table, void* owner, F&& f) {
   for (const Field& field : table) {
-    if (!field.is_textured) continue;
-    const std::optional<FieldValue> value = field.get(owner);
-    if (const PatternId* pattern = value ? std::get_if<PatternId>(&*value) : nullptr) f(*pattern);
+    if (!field.is_textured && field.type != FieldType::stops) continue;
+    std::optional<FieldValue> value = field.get(owner);
+    if (!value) continue;
+    if (const PatternId* pattern = std::get_if<PatternId>(&*value)) field.set(owner, f(*pattern));
+    if (Stops* stops = std::get_if<Stops>(&*value)) {
+      for (Stop& stop : *stops)
+        if (PatternId* pattern = std::get_if<PatternId>(&stop.shown)) *pattern = f(*pattern);
+      field.set(owner, *value);
+    }
   }
 }
 
-/// Replaces each by f(id).
+/// Calls f(id) for each.
 template <class F>
-void replace_patterns(std::span<const Field> table, void* owner, F&& f) {
-  for (const Field& field : table)
-    for_each_pattern({&field, 1}, owner, [&](PatternId pattern) { field.set(owner, f(pattern)); });
+void for_each_pattern(std::span<const Field> table, const void* owner, F&& f) {
+  for (const Field& field : table) {
+    if (!field.is_textured && field.type != FieldType::stops) continue;
+    const std::optional<FieldValue> value = field.get(owner);
+    if (!value) continue;
+    if (const PatternId* pattern = std::get_if<PatternId>(&*value)) f(*pattern);
+    if (const Stops* stops = std::get_if<Stops>(&*value))
+      for (const Stop& stop : *stops)
+        if (const PatternId* pattern = std::get_if<PatternId>(&stop.shown)) f(*pattern);
+  }
 }
 
 /// Why a description that satisfies every field's constraint is still not a valid shape, light, …: two points coincide,

@@ -44,6 +44,12 @@ void add_to(Hasher& h, const FunctionRef& v) {
 void add_to(Hasher& h, PatternId v) {
   h.add(std::uint64_t{1} << 32 | static_cast<std::uint64_t>(v));
 }
+void add_to(Hasher& h, const Stops& v) {
+  for (const Stop& stop : v) {
+    h.add(stop.place);
+    std::visit([&](const auto& shown) { add_to(h, shown); }, stop.shown);
+  }
+}
 
 std::uint64_t hash_of(const Material& material) {
   Hasher h;

@@ -91,7 +91,7 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   MaterialValues values = entry.values;
   for (std::uint32_t i = 0; i < entry.texture_count; ++i) {
     const Texture& texture = textures_[entry.first_texture + i];
-    const Color shown = evaluate(texture.pattern, p);
+    const Color shown = color_of(texture.pattern, p);
     const double number_shown = std::clamp(shown.r, texture.least, texture.most);
     if (const auto* color = std::get_if<Color MaterialValues::*>(&texture.property))
       values.** color = shown;
@@ -104,16 +104,19 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   return values;
 }
 
-// Every pattern, even one nested in another, is in the space of the object that specifies the material. A pattern only
-// refers to patterns created before it, so the recursion ends.
-Color Materials::evaluate(scene::PatternId id, const Vec3& p) const {
-  scene::Paint shown = id;
-  while (const scene::PatternId* next = std::get_if<scene::PatternId>(&shown)) {
-    const Pattern& pattern = patterns_[static_cast<std::size_t>(*next)];
-    const Vec3 q = pattern.to_pattern.point(p);
-    shown = std::visit([&](const auto& layout) { return paint_at(layout, q); }, pattern.layout);
-  }
-  return std::get<Color>(shown);
+// Every pattern, also one that stands within another, lives in the space of the object that writes the material. A
+// pattern refers to patterns that were made before it, so the walk ends.
+Color Materials::color_of(const scene::Paint& paint, const Vec3& p) const {
+  if (const Color* color = std::get_if<Color>(&paint)) return *color;
+  const Pattern& pattern = patterns_[static_cast<std::size_t>(std::get<scene::PatternId>(paint))];
+  const Vec3 q = pattern.to_pattern.point(p);
+  return std::visit([&](const auto& layout) { return color_of(paint_at(layout, q), p); }, pattern.layout);
+}
+
+Color Materials::color_of(const PaintBlend& blend, const Vec3& p) const {
+  const Color first = color_of(blend.first, p);
+  if (blend.share == 0 || blend.first == blend.second) return first;
+  return first * (1 - blend.share) + color_of(blend.second, p) * blend.share;
 }
 
 } // namespace rt

@@ -83,7 +83,8 @@ private:
     scene::PatternLayout layout;
   };
   void add(const scene::Material& material);
-  Color evaluate(scene::PatternId pattern, const Vec3& p) const;
+  Color color_of(const scene::Paint& paint, const Vec3& p) const;
+  Color color_of(const PaintBlend& blend, const Vec3& p) const;
 
   std::vector<MaterialEntry> entries_;
   std::vector<Texture> textures_; // by material

@@ -69,12 +69,12 @@ public:
     if (is_transparent()) {
       terms.is_bent = !v.thin && std::abs(eta - 1) >= 1e-10;
       const double cos2_behind = terms.is_bent ? cos2_refracted(cosine, eta) : 1;
-      if (cos2_behind < 0) {
+      if (cos2_behind < 0 && v.color != black) { // what is black lets nothing by and mirrors nothing
         terms.rho = white;
         terms.is_total = true;
         return terms;
       }
-      terms.cos_behind = std::sqrt(cos2_behind);
+      terms.cos_behind = std::sqrt(std::max(cos2_behind, 0.0));
     }
     if (is_mirror()) {
       if (v.fresnel) terms.reflectance = fresnel_reflectance(cosine, fresnel_eta);

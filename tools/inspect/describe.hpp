@@ -125,6 +125,16 @@ private:
     number("pattern", static_cast<double>(pattern));
     sink_.end_object();
   }
+  void value(const scene::Field& field, const scene::Stops& stops) {
+    sink_.begin_array();
+    for (const scene::Stop& stop : stops) {
+      sink_.begin_array();
+      sink_.number(stop.place);
+      std::visit([&](const auto& shown) { value(field, shown); }, stop.shown);
+      sink_.end_array();
+    }
+    sink_.end_array();
+  }
   void value(const scene::Field&, const scene::FunctionRef& function) {
     sink_.begin_array();
     for (const std::string& line : listing(*function)) sink_.string(line);

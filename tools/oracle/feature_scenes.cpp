@@ -120,6 +120,26 @@ constexpr FeatureEntry materials[] = {
     {"pattern_by_function_of_numbers",
      "color: khaki, specular: fn(p) => abs(sin(400 * p.x)), reflect: pattern { of: fn(p) => rgb(p.x % 1, 0.2, "
      "p.y % 1), scale: 0.4, rotate: [10, 20, 30] }, emission: fn(p) => if p.z > 0.2 { 0.3 } else { 0 }"},
+    {"stripes", "color: stripes { a: teal, b: checker { a: khaki, b: tomato, scale: 0.3 }, width: 0.3, scale: 0.3, "
+                "rotate: [0, 20, 30] }"},
+    {"tiles", "color: tiles { a: teal, b: white, mortar: tomato, joint: 0.125, scale: 0.3, at: [0.1, 0.1, 0.1] }"},
+    {"brick", "color: brick { size: [0.4, 0.2, 0.3], joint: 0.03125 }, specular: brick { mortar: 0, color: 0.8, size: "
+              "[0.4, 0.2, 0.3], joint: 0.03125 }"},
+    {"hexagon", "color: hexagon { a: teal, b: khaki, c: tomato, scale: 0.25, rotate: [70, 0, 10] }"},
+    {"dots", "color: dots { ground: khaki, color: crimson, radius: 0.3, scale: 0.35 }"},
+    {"gradient", "color: gradient { direction: [1, 2, 0], frequency: 2.5, phase: 0.2, stops: [[0, navy], [0.4, teal], "
+                 "[1, white]] }"},
+    {"gradient_of_kinds", "color: gradient { kind: radial, wave: triangle, frequency: 4, stops: [[0.1, gradient { "
+                          "kind: angular, frequency: 3, wave: sine }], [1, tomato]] }, emission: gradient { "
+                          "kind: cylindrical, exponent: 2 }, reflect: gradient { kind: box, stops: [[0, 0], [1, teal]] "
+                          "}, specular: gradient { kind: spherical, repeat: false, stepped: true }"},
+    {"onion", "color: onion { scale: 0.3, at: [0.5, 0.2, 0.1], wave: cubic, stops: [[0, peru], [0.7, khaki]] }, "
+              "refract: onion { scale: 0.5, stops: [[0, 0], [1, 0.9]] }"},
+    {"rings", "color: rings { scale: 0.2, at: [0.4, 0, 0.1], rotate: [80, 0, 0], wave: scallop, stops: [[0, sienna], "
+              "[1, tan]] }"},
+    {"spiral",
+     "color: spiral { arms: 3, scale: 0.5, rotate: [70, 0, 0], stepped: true, stops: [[0, crimson], [0.5, ivory]] }"},
+    {"leopard", "color: leopard { scale: 0.06, exponent: 0.5, stops: [[0.2, orange], [0.3, black], [0.8, peru]] }"},
     {"pattern_in_glass",
      "color: checker { a: white, b: skyblue, scale: 0.37 }, refract: 0.85, ior: 1.25, diffuse: 0.3"},
 };

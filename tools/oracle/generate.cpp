@@ -1,6 +1,7 @@
 #include "tools/oracle/generate.hpp"
 
 #include "tools/oracle/generate_functions.hpp"
+#include "tools/oracle/generate_patterns.hpp"
 
 #include <fmt/format.h>
 
@@ -42,25 +43,6 @@ std::string color(Dice& dice) {
   }
 }
 
-void set_placement(Dice& dice, Block& pattern) {
-  if (dice.chance(0.7))
-    pattern.set("scale", dice.chance(0.7) ? text(dice.length(0.2, 0.8)) : text(dice.point(0.2, 0.9)));
-  if (dice.chance(0.4)) pattern.set("rotate", text(dice.vector(-90, 90)));
-  if (dice.chance(0.4)) pattern.set("at", text(dice.point(-0.5, 0.5)));
-}
-
-Block checker(Dice& dice, int depth, const std::function<std::string(Dice&)>& value) {
-  Block b = block("checker");
-  for (const char* part : {"a", "b"}) {
-    if (depth < 2 && dice.chance(0.15))
-      b.set(part, checker(dice, depth + 1, value));
-    else
-      b.set(part, value(dice));
-  }
-  set_placement(dice, b);
-  return b;
-}
-
 // A function that stands for its pattern, or is placed as one.
 void set_function(Dice& dice, Block& owner, const char* name, std::string function) {
   if (dice.chance(0.6)) {
@@ -70,7 +52,7 @@ void set_function(Dice& dice, Block& owner, const char* name, std::string functi
   Block pattern = block("pattern");
   pattern.set("of", std::move(function));
   const double unit = std::exchange(dice.length_unit, 1); // the function itself is in the scene's
-  set_placement(dice, pattern);
+  place_pattern(dice, pattern);
   dice.length_unit = unit;
   owner.set(name, std::move(pattern));
 }
@@ -84,7 +66,8 @@ std::string ior(Dice& dice) {
 // A value or a pattern of them.
 void set_value(Dice& dice, Block& material, const char* name, const std::function<std::string(Dice&)>& value) {
   if (dice.chance(0.2))
-    material.set(name, checker(dice, 0, value));
+    material.set(name, random_pattern(dice, value,
+                                      name != std::string_view("shininess") && name != std::string_view("roughness")));
   else
     material.set(name, value(dice));
 }
@@ -102,7 +85,8 @@ void make_physical(Dice dice, Block& m) {
   if (own.chance(0.1)) set_value(own, m, "roughness", [](Dice& d) { return text(d.between(0.2, 1)); });
   // A coat that is none: POV-Ray has no other.
   if (own.chance(0.1)) {
-    m.set("coat", checker(own, 0, [](Dice&) { return "0"; }));
+    m.set("coat", random_pattern(
+                      own, [](Dice&) { return "0"; }, true));
     m.set("coat_roughness", text(own.unit())).set("coat_ior", text(own.between(1.1, 2)));
   }
 }
@@ -110,7 +94,7 @@ void make_physical(Dice dice, Block& m) {
 Block opaque(Dice& dice) {
   Block m = block("material");
   if (dice.chance(0.25))
-    m.set("color", checker(dice, 0, color));
+    m.set("color", random_pattern(dice, color, true));
   else if (dice.chance(0.25))
     set_function(dice, m, "color", random_color_function(dice));
   else
@@ -255,7 +239,7 @@ void add_material(Dice& dice, Block& thing, bool is_in_solid) {
   if (kind < 0.08) {
     thing.set("material", rgb(dice, "linear_rgb"));
   } else if (kind < 0.16) {
-    thing.set("material", checker(dice, 0, color));
+    thing.set("material", random_pattern(dice, color, true));
   } else if (kind < 0.24 && !is_in_solid) {
     constexpr const char* names[] = {"glass",  "water",  "diamond", "mirror", "gold",
                                      "silver", "copper", "chrome",  "rubber", "matte"};

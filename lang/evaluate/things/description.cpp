@@ -31,8 +31,7 @@ DescriptionWriter::DescriptionWriter(const SourceMap& sources, scene::Builder& b
     : sources_(sources), builder_(builder) {}
 
 FieldValue DescriptionWriter::field_value(const Property& property, const Value& value) {
-  if (property.is_textured() && is_pattern(value)) return pattern(value.thing());
-  if (property.is_textured() && is_function(value)) return pattern(value.closure());
+  if (property.is_textured() && (is_pattern(value) || is_function(value))) return pattern(value);
   switch (property.type) {
   case PropertyType::number:
     return value.number();
@@ -59,6 +58,8 @@ FieldValue DescriptionWriter::field_value(const Property& property, const Value&
     return *as_parts(property, value);
   case PropertyType::function:
     return value.closure().compiled;
+  case PropertyType::stops:
+    return stops(value);
   case PropertyType::material:
   case PropertyType::text:
     break; // no field is of these types
@@ -110,7 +111,7 @@ scene::MaterialId DescriptionWriter::material(const Value& value) {
   }
   if (!is_pattern(value) && !is_function(value)) return builder_.material(*as_color(value));
   scene::Material made;
-  made.color = is_function(value) ? pattern(value.closure()) : pattern(value.thing());
+  made.color = pattern(value);
   return builder_.material(made);
 }
 
@@ -134,8 +135,18 @@ scene::PatternId DescriptionWriter::pattern(const Thing& thing) {
   return scene::PatternId{thing.built};
 }
 
-scene::PatternId DescriptionWriter::pattern(const Closure& function) {
-  return builder_.function_pattern(function.compiled);
+scene::PatternId DescriptionWriter::pattern(const Value& value) {
+  return is_function(value) ? builder_.function_pattern(value.closure().compiled) : pattern(value.thing());
+}
+
+scene::Stops DescriptionWriter::stops(const Value& value) {
+  scene::Stops list;
+  for (std::size_t i = 0; i < sequence_size(value); ++i) {
+    const StopParts stop = *as_stop(sequence_at(value, i));
+    const std::optional<Color> color = as_color(stop.shown);
+    list.push_back({stop.place, color ? scene::Paint(*color) : pattern(stop.shown)});
+  }
+  return list;
 }
 
 std::optional<scene::TransformId> DescriptionWriter::transform(const ObjectAttributes& attributes_of,

@@ -32,13 +32,15 @@ public:
 
   scene::MaterialId material(const Value& value);
   scene::PatternId pattern(const Thing& pattern);
-  /// Of a function that stands where a pattern does.
-  scene::PatternId pattern(const Closure& function);
+  /// Of a pattern, or a function that stands where one does.
+  scene::PatternId pattern(const Value& value);
   /// Nothing where the placement flattens: its determinant is 0 or not finite.
   std::optional<scene::TransformId> transform(const ObjectAttributes& attributes_of, const Chain* chain);
   scene::Origin origin(Span span);
 
 private:
+  scene::Stops stops(const Value& value);
+
   const SourceMap& sources_;
   scene::Builder& builder_;
   Span last_line_; // where `origin` last looked: most things come in order

@@ -4,6 +4,7 @@
 #include "lang/check/errors/shared_errors.hpp"
 #include "lang/evaluate/errors/evaluate_errors.hpp"
 #include "lang/evaluate/things/block_evaluator.hpp"
+#include "lang/values/property_check.hpp"
 
 #include <fmt/format.h>
 
@@ -67,8 +68,16 @@ void ThingEvaluator::simple_properties(NodeId node, const Context& context, cons
 void ThingEvaluator::prepare(const Property& property, Value& value, Span place) {
   if (property.type == PropertyType::material && value.is(ValueKind::record))
     value = as_material(value.record(), place);
-  if (is_function(value) && takes_function(property) && !compiler_.compile(value.closure(), property.name, place))
-    value = Value::poison();
+  const auto compile = [&](const Value& function) {
+    if (is_function(function) && takes_function(property) &&
+        !compiler_.compile(function.closure(), property.name, place))
+      value = Value::poison();
+  };
+  compile(value);
+  if (property.type == PropertyType::stops && is_sequence(value) && !value.is(ValueKind::range)) {
+    for (std::size_t i = 0; i < sequence_size(value) && !value.is_poison(); ++i)
+      if (const std::optional<StopParts> stop = as_stop(sequence_at(value, i))) compile(stop->shown);
+  }
   if (auto mistake = check_value(property, value)) {
     mistake->span = place;
     value = fail(*std::move(mistake));

@@ -70,6 +70,7 @@ private:
   void check_pattern(std::size_t index);
   void check_paints(std::span<const Field> fields, const void* owner, std::size_t patterns, const std::string& where);
   void check_shown(const Field& property, PatternId id, const std::string& where, std::set<PatternId>& seen);
+  void check_shown(const Field& property, const Color& color, const std::string& where, std::set<PatternId>& seen);
   void check_placement(const Placement& placement, const std::string& where);
   void check_transform(std::size_t index);
 
@@ -267,16 +268,24 @@ void Validation::check_shown(const Field& property, PatternId id, const std::str
       const FunctionRef* function = value ? std::get_if<FunctionRef>(&*value) : nullptr;
       if (function && *function && (*function)->results.size() != 1)
         add(Kind::value, where, fmt::format("`{}` takes numbers, and its pattern gives colours", property.name));
+      if (const Stops* stops = value ? std::get_if<Stops>(&*value) : nullptr)
+        for (const Stop& stop : *stops)
+          std::visit([&](const auto& shown) { check_shown(property, shown, where, seen); }, stop.shown);
       if (!value || !field.is_textured) continue;
-      if (const PatternId* inner = std::get_if<PatternId>(&*value)) {
+      if (const PatternId* inner = std::get_if<PatternId>(&*value))
         check_shown(property, *inner, where, seen);
-      } else if (const auto violation = check(property.constraint, std::get<Color>(*value).r)) {
-        add(Kind::value, where,
-            fmt::format("`{}` {} (in its pattern {})", property.name, violation->rule, violation->found));
-      }
+      else
+        check_shown(property, std::get<Color>(*value), where, seen);
     }
   };
   std::visit(look_at, scene_.patterns[static_cast<std::size_t>(id)].layout);
+}
+
+void Validation::check_shown(const Field& property, const Color& color, const std::string& where,
+                             std::set<PatternId>&) {
+  if (const auto violation = check(property.constraint, color.r))
+    add(Kind::value, where,
+        fmt::format("`{}` {} (in its pattern {})", property.name, violation->rule, violation->found));
 }
 
 void Validation::check_placement(const Placement& placement, const std::string& where) {

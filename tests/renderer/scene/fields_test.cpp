@@ -59,6 +59,8 @@ FieldValue value_for(Random& random, const Field& field) {
     return Absorb{{0.5, 0.6, 0.7}, random.between(1, 10)};
   case FieldType::function:
     return constant_function(random.between(0, 1));
+  case FieldType::stops:
+    return Stops{{random.between(0, 0.5), PatternId{3}}, {random.between(0.5, 1), color(random, not_negative)}};
   }
   return {};
 }

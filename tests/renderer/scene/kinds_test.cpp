@@ -25,9 +25,11 @@ concept SampledLight = Described<L> && requires(const L& light, const rt::Affine
   { check(light) } -> std::same_as<std::optional<Problem>>;
   { sample_light(placed(light, map), p) } -> std::same_as<rt::LightSample>;
 };
+template <class S>
+concept ShownByPattern = std::same_as<S, Paint> || std::same_as<S, rt::PaintBlend>;
 template <class P>
 concept EvaluatedPattern = Described<P> && requires(const P& pattern, const rt::Vec3& p) {
-  { paint_at(pattern, p) } -> std::same_as<Paint>;
+  { paint_at(pattern, p) } -> ShownByPattern;
 };
 
 struct Unheard {};

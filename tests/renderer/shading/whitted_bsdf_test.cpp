@@ -133,3 +133,12 @@ TEST_CASE("bsdf: a mirror without Fresnel's equation is the same at every angle"
   CHECK_FALSE(bsdf.is_transparent());
   for (const double cosine : {1.0, 0.5, 0.01}) CHECK(bsdf.specular(cosine, 1, 1).rho == Color{0.1, 0.2, 0.3});
 }
+
+TEST_CASE("bsdf: black glass lets nothing by, and beyond the critical angle it mirrors no more than before") {
+  MaterialValues values = glass(1.5);
+  values.color = black;
+  const SpecularTerms beyond = WhittedBsdf(values).specular(at_degrees(60).z, 1.5, 1 / 1.5);
+  CHECK_FALSE(beyond.is_total);
+  CHECK(beyond.tau == black);
+  CHECK(std::isfinite(beyond.cos_behind));
+}

@@ -1,6 +1,7 @@
 #include "renderer/scene/names.hpp"
 #include "tools/explain/json.hpp"
 #include "tools/explain/naming.hpp"
+#include "tools/explain/why/pattern_readings.hpp"
 #include "tools/explain/why/why_surface.hpp"
 
 #include <cmath>
@@ -103,6 +104,9 @@ private:
     j["derivation"] = derivation_json(derivation_of(answer_, s));
     j["color"] = to_json(m.color);
     j["refract"] = m.refract;
+    json patterns = json::array();
+    for (const PatternReading& r : pattern_readings(answer_.scene, s.surface)) patterns.push_back(pattern(r));
+    if (!patterns.empty()) j["patterns"] = std::move(patterns);
     j["passed"] = to_json(s.passed);
     if (s.absorbed) j["absorbed"] = {{"left", to_json(s.absorbed->left)}, {"length", s.absorbed->length}};
     j["ambient"] = to_json(s.ambient);
@@ -116,6 +120,13 @@ private:
       j["total_reflection"] = {{"passage", passage_json(s.total_reflection->transition)},
                                {"angle", degrees(s.total_reflection->cosine)},
                                {"ray", ray(*s.total_reflection->ray)}};
+    return j;
+  }
+
+  static json pattern(const PatternReading& r) {
+    json j{{"property", r.property}, {"pattern", r.noun}, {"depth", r.depth}, {"point", to_json(r.point)}};
+    if (r.in_stops) j["value"] = r.in_stops->value, j["place"] = r.in_stops->place, j["share"] = r.in_stops->share;
+    j["shown"] = to_json(r.shown);
     return j;
   }
 

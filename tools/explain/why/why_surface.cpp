@@ -4,6 +4,7 @@
 #include "renderer/scene/names.hpp"
 #include "renderer/shading/optics.hpp"
 #include "tools/explain/naming.hpp"
+#include "tools/explain/why/pattern_readings.hpp"
 
 #include <fmt/format.h>
 
@@ -197,6 +198,15 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
                                     color_text(r.reflected.highlight)));
 }
 
+// "color: a gradient at [0, 0.4, 0] of its own space; its value is 0.4, in its stops 0.4, …"
+std::string text_of(const PatternReading& r) {
+  std::string text = fmt::format("{}: `{}` at {} of its own space", r.property, r.noun, vector_text(r.point));
+  if (r.in_stops)
+    text += fmt::format(", value {}, place {} in its stops, {} of the way from one to the next",
+                        number_text(r.in_stops->value), number_text(r.in_stops->place), number_text(r.in_stops->share));
+  return fmt::format("{}, shows {}", text, color_text(r.shown));
+}
+
 } // namespace
 
 Derivation derivation_of(const Answer& answer, const SurfaceNode& s) {
@@ -241,6 +251,8 @@ void write_normal(const SurfaceNode& s, Page& page, int indent) {
 void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
   const MaterialValues& m = s.material;
   page.line(indent, fmt::format("shading with {}", material_text(s)));
+  for (const PatternReading& r : pattern_readings(answer.scene, s.surface))
+    page.line(indent + 2 + 2 * r.depth, text_of(r));
   page.line(indent + 2, fmt::format("ambient = a·c·{}·{} = {}", color_text(m.ambient),
                                     color_text(answer.compiled.ambient()), color_text(s.ambient)));
   if (m.emission != black)

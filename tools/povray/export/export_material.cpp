@@ -1,5 +1,6 @@
 #include "tools/povray/export/export_function.hpp"
 #include "tools/povray/export/export_parts.hpp"
+#include "tools/povray/export/export_pattern.hpp"
 
 #include <fmt/format.h>
 
@@ -28,12 +29,6 @@ double constant(const NumberPaint& paint) {
 }
 const Color& constant(const Paint& paint) {
   return std::get<Color>(paint);
-}
-
-// How POV-Ray calls a pattern that is a list of pigments or of textures, which its paints become in the order of its
-// fields.
-std::string_view keyword(const Checker&) {
-  return "checker";
 }
 
 // Writes one material. Its patterns all live in the material's space, but POV-Ray carries a pigment or texture inside a
@@ -66,10 +61,13 @@ private:
         (field.name == "shininess" ? static_cast<void>(part.shininess = Material{}.shininess) : part.roughness.reset());
         return texture_body(part, current);
       }
-      for_each_paint(p, [&](const FieldValue& paint) {
+      const PatternText text = pattern_text(p.layout, inexact_);
+      if (text.is_mixed && (field.name == "shininess" || field.name == "roughness"))
+        inexact_.push_back("POV-Ray's `roughness` is a number: between two stops it mixes their highlights");
+      write_parts(text, "texture", [&](const FieldValue& shown) {
         Material part = m;
-        field.set(&part, paint);
-        texture("texture", part, map_of(p.placement));
+        field.set(&part, shown);
+        return texture_body(part, map_of(p.placement));
       });
       return moved(p, current);
     }
@@ -80,18 +78,31 @@ private:
 
   const Pattern& pattern(PatternId id) const { return scene_.patterns[static_cast<std::size_t>(id)]; }
 
-  // Writes what kind of pattern it is, and then each of its paints by f.
+  // Writes the pattern, and each of its parts by `body`, which gives back the part's end.
   template <class F>
-  void for_each_paint(const Pattern& p, F&& f) {
-    std::visit(
-        [&]<class P>(const P& layout) {
-          if constexpr (!std::is_same_v<P, FunctionPattern>) {
-            out_.line(keyword(layout));
-            for (const Field& field : fields(&layout))
-              if (const auto paint = field.is_textured ? field.get(&layout) : std::nullopt) f(*paint);
-          }
-        },
-        p.layout);
+  void write_parts(const PatternText& text, std::string_view kind, F&& body) {
+    for (const std::string& function : text.declared) out_.line("#declare " + function);
+    out_.line(text.head);
+    for (const std::string& function : text.declared) out_.line("#undef " + function.substr(0, function.find(' ')));
+    if (!text.is_list) out_.open(fmt::format("{}_map", kind));
+    for (const PatternText::Part& part : text.parts) {
+      if (!text.is_list)
+        write_entry(part.place, [&] { return body(part.shown); });
+      else if (const Color* color = std::get_if<Color>(&part.shown); color && kind == "pigment")
+        out_.line(fmt::format("pigment {{ {} }}", body(*color)));
+      else
+        out_.open(kind), out_.close(body(part.shown));
+    }
+    if (!text.is_list) out_.close();
+    if (!text.tail.empty()) out_.line(text.tail);
+  }
+
+  // One of a map; what `body` gives back stands at its end.
+  template <class F>
+  void write_entry(double place, F&& body) {
+    out_.line("[" + number(place));
+    if (const std::string end = body(); !end.empty()) out_.line(end);
+    out_.line("]");
   }
 
   static std::string moved(const Pattern& p, const Map& current) {
@@ -103,18 +114,22 @@ private:
   }
 
   void pigment(const FieldValue& paint, double filter, const Map& current) {
-    const PatternId* id = std::get_if<PatternId>(&paint);
-    if (!id) {
-      out_.line(fmt::format("pigment {{ {} }}", rgb(std::get<Color>(paint), filter)));
-      return;
-    }
-    const Pattern& p = pattern(*id);
+    if (const Color* color = std::get_if<Color>(&paint))
+      return out_.line(fmt::format("pigment {{ {} }}", rgb(*color, filter)));
     out_.open("pigment");
+    out_.close(pigment_body(paint, filter, current));
+  }
+
+  // What stands in a pigment; its end, the colour or the transform, is given back.
+  std::string pigment_body(const FieldValue& paint, double filter, const Map& current) {
+    if (const Color* color = std::get_if<Color>(&paint)) return rgb(*color, filter);
+    const Pattern& p = pattern(std::get<PatternId>(paint));
     if (const FunctionPattern* computed = std::get_if<FunctionPattern>(&p.layout))
       function_pigment(*computed->function, filter);
     else
-      for_each_paint(p, [&](const FieldValue& part) { pigment(part, filter, map_of(p.placement)); });
-    out_.close(moved(p, current));
+      write_parts(pattern_text(p.layout, inexact_), "pigment",
+                  [&](const FieldValue& shown) { return pigment_body(shown, filter, map_of(p.placement)); });
+    return moved(p, current);
   }
 
   // A pattern of POV-Ray's is one number between 0 and 1, which a map turns into colours.
@@ -165,19 +180,14 @@ private:
                             const Map& current) {
     const Map inner = map_of(p.placement);
     const std::vector<Channel> all = channels(function, field.constraint.max);
-    const auto entry = [&](std::string_view place, const auto& write_body) {
-      out_.line(fmt::format("[{}", place));
-      if (const std::string transform = write_body(); !transform.empty()) out_.line(transform);
-      out_.line("]");
-    };
     const auto write = [&](const Channel& channel) {
       const Color most = channel.color * (channel.scale * static_cast<double>(all.size()));
       write_function_pattern(out_, channel.text, channel.scale);
       out_.open("texture_map");
-      for (const auto& [place, value] : {std::pair("0", black), std::pair("1", most)}) {
+      for (const auto& [place, value] : {std::pair(0.0, black), std::pair(1.0, most)}) {
         Material part = m;
         field.set(&part, value);
-        entry(place, [&] { return texture_body(part, inner); });
+        write_entry(place, [&] { return texture_body(part, inner); });
       }
       out_.close();
       return std::string();
@@ -188,7 +198,7 @@ private:
     }
     out_.line("average");
     out_.open("texture_map");
-    for (const Channel& channel : all) entry("1", [&] { return write(channel); });
+    for (const Channel& channel : all) write_entry(1, [&] { return write(channel); });
     out_.close();
     return moved(p, current);
   }

@@ -60,20 +60,25 @@ TEST_CASE("export: every pattern is written, as pigments where it is a colour an
       WrittenScene b;
       P layout;
       for (const scene::Field& part : fields(&layout)) // 0.5 is within what every property takes
-        if (part.is_textured) part.set(&layout, grey(0.5));
+        if (part.is_textured)
+          part.set(&layout, grey(0.5));
+        else if (part.type == scene::FieldType::stops)
+          part.set(&layout, scene::Stops{{0.25, grey(0.5)}, {0.75, grey(0.5)}});
       const auto pattern = b.pattern({layout, {}});
       scene::Material m;
       field.set(&m, pattern);
       b.place(scene::Sphere{1}, b.material(m));
       const tools::povray::Exported exported = export_povray(b.scene, {.comments = false});
-      const bool is_computed = std::is_same_v<P, scene::FunctionPattern>;
+      const bool is_computed = std::is_same_v<P, scene::FunctionPattern>, is_mixed = is_computed || scene::IsGraded<P>;
       const bool has_no_way =
-          is_computed && (field.name == "shininess" || field.name == "roughness"); // numbers in POV-Ray
-      const bool has_none = field.name == "coat";                                  // which POV-Ray does not have
+          is_mixed && (field.name == "shininess" || field.name == "roughness"); // numbers in POV-Ray
+      const bool has_none = field.name == "coat";                               // which POV-Ray does not have
       CHECK(exported.inexact.empty() == !(has_no_way || has_none));
-      if (has_no_way || (is_computed && has_none)) continue;
-      const char* const texture = is_computed ? "texture_map {" : "texture {\n    pigment";
-      CHECK_THAT(exported.text, Contains(field.name == "color" ? "pigment {\n    " : texture));
+      if (is_computed && (has_no_way || has_none)) continue;
+      if (field.name == "color")
+        CHECK_THAT(exported.text, Contains("pigment {\n    "));
+      else
+        CHECK_THAT(exported.text, Contains("texture_map {") || Contains("texture {\n    pigment"));
     }
   });
 }

@@ -193,7 +193,7 @@ void SessionChange::place_and_tell(Draft draft) {
   const std::size_t size = entries_.size();
   const Draft placed = draft;
   place(std::move(draft));
-  told_.push_back({placed->id, entries_.size() == size});
+  reported_.push_back({placed->id, entries_.size() == size});
 }
 
 // Sorted.

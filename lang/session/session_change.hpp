@@ -116,11 +116,11 @@ private:
   std::unordered_map<std::uint32_t, ChangedName> changed_; // by symbol
   std::uint64_t changed_bits_ = 0;                         // its keys, as a Bloom filter
   // For the messages:
-  struct Told {
+  struct Reported {
     std::uint64_t id; // of the statement
     bool replaces;    // another one
   };
-  std::vector<Told> told_;
+  std::vector<Reported> reported_;
   std::vector<std::string> renewed_; // statements
 };
 

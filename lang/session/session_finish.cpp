@@ -27,10 +27,10 @@ std::optional<Document> SessionChange::finish() {
 }
 
 void SessionChange::report_outcomes() {
-  for (const Told& told : told_) {
-    const auto at = find_id(told.id);
+  for (const Reported& reported : reported_) {
+    const auto at = find_id(reported.id);
     if (!at) continue; // it was printed
-    const std::string outcome = outcome_of(entries_[*at].get(), told.replaces, core_.evaluator, core_.program);
+    const std::string outcome = outcome_of(entries_[*at].get(), reported.replaces, core_.evaluator, core_.program);
     if (!outcome.empty()) changes.push_back(outcome);
   }
 }

@@ -1,4 +1,3 @@
-#include "renderer/scattering/shading_normal.hpp"
 #include "tests/renderer/scattering/surfaces.hpp"
 
 #include <catch2/catch.hpp>
@@ -53,14 +52,4 @@ TEST_CASE("reciprocity: perfect glass weighs both ways alike") {
     CHECK(length(turned_over(out->wi) - wo) < 1e-12);
     CHECK(in->weight.g * in->density == Approx(out->weight.g * out->density).epsilon(1e-12));
   }
-}
-
-TEST_CASE("reciprocity: Veach's factor is 1 where the shading normal is the true one, and weighs the tilt else") {
-  const Vec3 up{0, 0, 1}, wi = direction(0.5, 0.2), wo = direction(0.8, 0.6);
-  CHECK(shading_normal_factor(wi, wo, up, up) == Approx(1));
-  // ns leans by 30°: cosines by hand. wi = (0, ½√3, ½), wo = (0, 0, 1), ns = (0, ½, ½√3).
-  const Vec3 leaning{0, 0.5, std::sqrt(0.75)};
-  CHECK(shading_normal_factor({0, std::sqrt(0.75), 0.5}, up, leaning, up) ==
-        Approx(std::sqrt(0.75) / (0.5 * std::sqrt(0.75))));
-  CHECK(shading_normal_factor({1, 0, 0}, wo, up, up) == 0);
 }

@@ -85,11 +85,11 @@ void write_light(Writer& out, const Light& light, const Camera& camera) {
 
 namespace {
 
-struct View {
+struct ViewVectors {
   Vec3 direction, right, up; // right and up as long as the picture is wide and high
 };
 
-View view_of(const Camera& camera, Resolution size) {
+ViewVectors view_of(const Camera& camera, Resolution size) {
   const Vec3 forward = unit(camera.look_at - camera.at);
   const Vec3 right = unit(cross(forward, camera.up));
   const bool is_orthographic = camera.projection == Projection::orthographic;
@@ -103,7 +103,7 @@ View view_of(const Camera& camera, Resolution size) {
 std::vector<Vec3> ray_origins(const Camera& camera, Resolution size) {
   std::vector<Vec3> origins{camera.at};
   if (camera.projection == Projection::perspective) return origins;
-  const View view = view_of(camera, size);
+  const ViewVectors view = view_of(camera, size);
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5}) origins.push_back(camera.at + view.right * x + view.up * y);
   return origins;
@@ -112,7 +112,7 @@ std::vector<Vec3> ray_origins(const Camera& camera, Resolution size) {
 // The four vectors that define POV-Ray's rays: direction + x·right + y·up with x and y from −½ to ½, or, in an
 // orthographic view, location + x·right + y·up. This way neither its handedness nor its field of view matters.
 void write_camera(Writer& out, const Camera& camera, Resolution size) {
-  const View view = view_of(camera, size);
+  const ViewVectors view = view_of(camera, size);
   out.open("camera");
   out.line(camera.projection == Projection::orthographic ? "orthographic" : "perspective");
   out.line("location " + vector(camera.at));

@@ -18,8 +18,8 @@ std::span<const Code> limits() {
        "fn down(n) = down(n - 1)\nsphere { radius: down(3) }",
        "fn down(n) = if n > 0 { down(n - 1) } else { 1 }\nsphere { radius: down(3) }"},
       {"E0503", "The scene has too many objects",
-       "Objects that are placed are counted, those of a group once however often the group is placed. `--max-objects` "
-       "allows more.",
+       "Placed objects are counted, those of a group only once however often the group is placed. "
+       "`--max-objects` allows more.",
        "", ""},
       {"E0504", "The scene takes too much memory",
        "Lists, strings and things that are kept take memory, and its amount is bounded. `--max-memory` allows more.",

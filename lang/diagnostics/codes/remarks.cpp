@@ -17,7 +17,7 @@ std::span<const Code> remarks() {
        "sphere {}\ncamera { at: [0, 1, 6] }", "sphere {}\ncamera { at: [0, 1, 6] }\nsun { direction: [-1, -2, -1.5] }"},
       {"N0003", "A range is empty",
        "A range runs upwards unless its step is negative, so this one has no elements. If it is to count down, write "
-       "`by -1`; if it may be empty, all is well.",
+       "`by -1`; if it may be empty, nothing is wrong.",
        "for i in 3..1 { sphere { at: [i, 0, 0] } }\nsphere {}",
        "for i in 3..1 by -1 { sphere { at: [i, 0, 0] } }\nsphere {}"},
       {"N0004", "Something is printed",

@@ -27,7 +27,7 @@ std::vector<Property> from_fields(std::span<const Field> fields) {
 constexpr scene::Constraint turns_nothing_flat{.is_nonzero = true};
 
 Property at() {
-  return {"at", PropertyType::vector, Common::at, 0, {}, "[0, 0, 0]", "where it stands", {}, nullptr};
+  return {"at", PropertyType::vector, Common::at, 0, {}, "[0, 0, 0]", "position", {}, nullptr};
 }
 Property rotate() {
   return {"rotate",
@@ -124,7 +124,7 @@ NodeTypes::NodeTypes() {
   const auto add_combination = [&](Operation operation, std::string_view help) {
     nouns_.push_back(composite_noun(scene::noun(operation), Category::combination, help, operation));
   };
-  add_combination(Operation::unite, "solids as one, also written a | b");
+  add_combination(Operation::unite, "the union of solids, also written a | b");
   add_combination(Operation::intersect, "the intersection of solids, also written a & b");
   add_combination(Operation::subtract, "the first solid without the others, also written a - b");
   nouns_.push_back(

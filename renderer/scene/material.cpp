@@ -37,10 +37,9 @@ std::span<const Field> fields(const Material*) {
       field<&Material::roughness>("roughness", {.default_text = "",
                                                 .help = "0 (smooth) to 1; `shininess` defaults to 2/roughness⁴ − 2",
                                                 .constraint = zero_to_one}),
-      field<&Material::metal>("metal",
-                              {.default_text = "",
-                               .help = "what its colour comes from: index of refraction n + ik; unless written "
-                                       "`reflect` is what it mirrors at the normal and `metallic` is 1"}),
+      field<&Material::metal>("metal", {.default_text = "",
+                                        .help = "complex index of refraction n + ik of a metal; sets the defaults of "
+                                                "`reflect` (its reflectance at normal incidence) and `metallic` (1)"}),
       field<&Material::coat>("coat",
                              {"0", "weight of a clear coat that reflects by Fresnel's equations, 0 to 1", zero_to_one}),
       field<&Material::coat_roughness>("coat_roughness", {.default_text = "0",

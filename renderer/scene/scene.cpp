@@ -135,12 +135,10 @@ std::span<const Field> fields(const Scene*) {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
       field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
       field<&Scene::ambient>("ambient", {"0.1", "uniform ambient light", not_negative}),
-      field<&Scene::mode>(
-          "mode",
-          {.default_text = "whitted",
-           .help = "how light is followed: whitted; path, with soft shadows and light between surfaces; or occlusion, "
-                   "how open surfaces are",
-           .choices = mode_names}),
+      field<&Scene::mode>("mode", {.default_text = "whitted",
+                                   .help = "rendering mode: whitted; path (path tracing: soft shadows, indirect "
+                                           "light); or occlusion (ambient occlusion)",
+                                   .choices = mode_names}),
       field<&Scene::max_depth>(
           "max_depth",
           {"8", "maximum number of reflections and refractions; in path mode of all scattering (64)", depth}),
@@ -156,10 +154,11 @@ std::span<const Field> fields(const Scene*) {
                                        .help = "in path mode: pixel filter (box: no overlap between pixels)",
                                        .choices = filters}),
       field<&Scene::reach>("reach", {"infinite", "in occlusion mode: maximum distance of occluders", positive}),
-      field<&Scene::min_weight>("min_weight", {"0.001953125",
-                                               "in whitted: how far weak rays that are not followed may move a pixel "
-                                               "together, of white",
-                                               share}),
+      field<&Scene::min_weight>(
+          "min_weight",
+          {"0.001953125",
+           "in whitted mode: how much all the weak rays that are not traced may change a pixel, as a fraction of white",
+           share}),
       field<&Scene::exposure>("exposure", {"0", "exposure compensation for 8- and 16-bit pictures, in stops", stops}),
       field<&Scene::tone>(
           "tone", {"clip", "tone mapping of 8- and 16-bit pictures: clip (at white), or filmic (rolls off highlights)",

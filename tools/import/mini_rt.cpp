@@ -114,7 +114,7 @@ private:
     const std::string_view known = is_older_ ? "R, A, c, l, sp, pl, sq, cy and tr" : "A, C, L, sp, pl and cy";
     add(errors::unknown_element(place_of(word),
                                 row ? fmt::format("`{}` does not belong to {}", word, form)
-                                    : fmt::format("`{}` is no element of miniRT", word),
+                                    : fmt::format("`{}` is not a miniRT element", word),
                                 fmt::format("this file is of {}, which has {}; --lenient {}", form, known,
                                             row ? "takes this one too" : "leaves this line out")));
   }
@@ -124,7 +124,7 @@ private:
       const double size = length(value.numbers);
       if (std::abs(size - 1) > 1e-3)
         warn(value.place, fmt::format("the direction of `{}` has length {:.4g}", row.spelling, size),
-             "it is taken as 1");
+             "it is normalised");
     }
     if (field.kind == FieldKind::angle && (value.numbers.x == 0 || value.numbers.x == 180)) {
       const double drawn = value.numbers.x == 0 ? 0.01 : 179.99;

@@ -7,9 +7,8 @@ namespace rt::lang::codes {
 std::span<const Code> files() {
   static const std::vector<Code> table = {
       {"E0601", "A file cannot be read",
-       "`include` and `use` look for a file from the folder of the file that they stand in. The message says where "
-       "this one was "
-       "looked for, what the system answered, and which file there has a name that is nearly the same.",
+       "`include` and `use` resolve a path relative to the file that contains them. The message says where this one "
+       "was looked for, the system's error, and which file there has a similar name.",
        "include \"no_such_file.rtl\"\nsphere {}", "sphere {}"},
       {"E0602", "A file includes itself",
        "This file is being read already, directly or by way of another one. Put what both need into a third file.", "",

@@ -17,9 +17,8 @@ std::span<const Code> imports() {
       {"E0803", "An element of another program's scene is missing or duplicated",
        "The format says how many elements of this kind a file has.", "", ""},
       {"N0801", "Part of another program's scene is interpreted differently",
-       "The format allows what stands there, but it cannot be taken as it stands, or would be understood differently "
-       "by "
-       "other programs. The message says what was made of it.",
+       "The format allows this, but it cannot be represented exactly, or other programs interpret it differently. The "
+       "message says how it was interpreted.",
        "", ""},
   };
   return table;

@@ -49,7 +49,7 @@ std::span<const Code> lint() {
        "looks like coloured air, not like glass. Where that is meant, write `ior: 1`.",
        "sphere { material: material { refract: 0.9 } }", "sphere { material: material { refract: 0.9, ior: 1.5 } }"},
       {"W0201", "The camera is inside a solid",
-       "The camera stands inside of a transparent solid, or inside of an opaque one and sees nothing else. A room is "
+       "The camera is inside a transparent solid, or inside an opaque one and sees nothing else. A room is "
        "no mistake: an "
        "opaque solid with things or a light in it. Planes do not count.",
        "sphere { radius: 5 }\ncamera { at: [0, 0, 3] }\nsun {}",
@@ -87,7 +87,7 @@ std::span<const Code> lint() {
        "plane { y: -1 }\nsphere { radius: 0.0002 }\ncamera { at: [0, 1, 6], look_at: [0, 0, 0] }\nsun {}",
        "plane { y: -1 }\nsphere { radius: 0.2 }\ncamera { at: [0, 1, 6], look_at: [0, 0, 0] }\nsun {}"},
       {"W0207", "A thing is hidden by another",
-       "What this line places lies wholly inside of an opaque solid, or wholly behind an infinite plane, so that no "
+       "What this line places is entirely inside an opaque solid, or entirely behind an infinite plane, so that no "
        "ray of the "
        "picture can reach it. What only stands behind something else is not warned of.",
        "plane { y: 0, material: peru }\nsphere { at: [0, -3, 0] }\nbox { at: [0, 1, 0] }\ncamera { at: [0, 2, 8], "
@@ -95,9 +95,8 @@ std::span<const Code> lint() {
        "plane { y: 0, material: peru }\nsphere { at: [3, 1, 0] }\nbox { at: [0, 1, 0] }\ncamera { at: [0, 2, 8], "
        "look_at: [0, 1, 0] }\nsun {}"},
       {"W0208", "Transparent solids overlap",
-       "Two transparent solids with different surroundings share a part of space and neither holds the other. A ray in "
-       "that part is in "
-       "both, and bends as if it were in the one that it entered last. Make one solid of them with `|`, cut one out of "
+       "Two transparent solids with different media overlap and neither contains the other. A ray in the overlap is in "
+       "both, and refracts as if it were in the one entered last. Make one solid of them with `|`, cut one out of "
        "the other with "
        "`-`, or put one wholly into the other.",
        "sphere { material: glass }\nsphere { at: [1, 0, 0], material: water }\ncamera { at: [0, 0, 8] }\nsun {}",
@@ -108,9 +107,8 @@ std::span<const Code> lint() {
        "there are shapes for it: a `disc`, a `quad`.",
        "sphere { scale: [1, 0.0000001, 1] }", "sphere { scale: [1, 0.1, 1] }"},
       {"W0301", "A light that reaches nothing",
-       "Nothing that the picture shows gets any of this light. The note says why: it is in the way of every ray, a "
-       "spot points past "
-       "everything, the surfaces face the other way, or there is nothing to give.",
+       "Nothing visible in the picture is lit by this light. The note says why: every ray to it is blocked, a spot "
+       "points past everything, the surfaces face away, or it emits nothing.",
        "plane { y: 0 }\nsphere { at: [0, 1, 0] }\nlight { at: [0, -4, 0] }\ncamera { at: [0, 2, 8], look_at: [0, 1, 0] "
        "}",
        "plane { y: 0 }\nsphere { at: [0, 1, 0] }\nlight { at: [0, 9, 4] }\ncamera { at: [0, 2, 8], look_at: [0, 1, 0] "

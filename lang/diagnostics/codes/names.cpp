@@ -7,8 +7,8 @@ namespace rt::lang::codes {
 std::span<const Code> names() {
   static const std::vector<Code> table = {
       {"E0201", "An unknown name",
-       "Nothing is called that: no name bound with `=` before this line, no `def` or `fn` of this block or one around "
-       "it, no thing, function or colour of the language. Names are case-sensitive.",
+       "There is no such name: none bound with `=` before this line, no `def` or `fn` in this block or an enclosing "
+       "one, no thing, function or colour of the language. Names are case-sensitive.",
        "wood = material { color: peru }\nsphere { material: wod }",
        "wood = material { color: peru }\nsphere { material: wood }"},
       {"E0202", "A name is bound twice",

@@ -21,8 +21,7 @@ std::span<const Code> remarks() {
        "for i in 3..1 { sphere { at: [i, 0, 0] } }\nsphere {}",
        "for i in 3..1 by -1 { sphere { at: [i, 0, 0] } }\nsphere {}"},
       {"N0004", "Something is printed",
-       "`print(x)` tells the value and the place on standard error, each time that it is evaluated, and places "
-       "nothing. "
+       "`print(x)` writes the value and the place to standard error each time it is evaluated, and places nothing. "
        "It is there for trying things out.",
        "print(2 + 3)\nsphere {}", "sphere {}"},
       {"N0005", "A comment that looks like a division",

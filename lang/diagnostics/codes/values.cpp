@@ -12,8 +12,8 @@ std::span<const Code> values() {
        "a number of degrees, a colour is `#ff8800`, a name such as `peru`, or `rgb(1, 0.5, 0)`.",
        "sphere { radius: \"2\" }", "sphere { radius: 2 }"},
       {"E0302", "A value is outside the range that the property allows",
-       "The kind of the value is right, but not its size: a radius is greater than 0, a share lies between 0 and 1, a "
-       "polygon has at least three points.",
+       "The kind of value is right, but it is out of range: a radius must be greater than 0, a fraction between 0 and "
+       "1, a polygon must have at least three points.",
        "sphere { radius: -1 }", "sphere { radius: 1 }"},
       {"E0303", "A number is not finite",
        "Dividing by 0 gives infinity, and 0/0 is not a number at all. Neither can be the size or place of a thing. "

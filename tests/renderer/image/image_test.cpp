@@ -275,8 +275,8 @@ TEST_CASE("image: a damaged file is told from a picture, and is named") {
     }
     return "";
   };
-  CHECK_THAT(message(""), Contains("`bad.img` is no picture"));
-  CHECK_THAT(message("GIF89a"), Contains("`bad.img` is no picture"));
+  CHECK_THAT(message(""), Contains("`bad.img` is not a supported picture file"));
+  CHECK_THAT(message("GIF89a"), Contains("`bad.img` is not a supported picture file"));
   CHECK_THAT(message("P6\n2 2\n255\nabc"), Contains("`bad.img` cannot be read: the file is truncated"));
   CHECK_THAT(message("P6\n99999999 99999999\n255\nabc"), Contains("the file is truncated"));
   CHECK_THAT(message("P6\n-2 2\n255\nabc"), Contains("whole number"));

@@ -158,7 +158,7 @@ TEST_CASE("mini_rt: every defect of every line is told, in one run") {
             "8: `cy` takes 5 fields, not 3: point, direction, diameter, height, colour",
             "9: the diameter of `sp` is a number: 1.5",
             "9: the colour of `sp` is three whole numbers with commas and no spaces: 255,0,100",
-            "10: `ba` is no element of miniRT",
+            "10: `ba` is not a miniRT element",
             "11: `sq` does not belong to the 2021 format",
             "12: a file has one ambient light (`A`)",
         });

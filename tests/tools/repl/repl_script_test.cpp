@@ -93,7 +93,7 @@ TEST_CASE("session as a script: :set without a value says what can be set") {
   CHECK(session(folder, scene + ":set background\n").output.find("background: colour") == 0);
   CHECK(session(folder, scene + ":set ball\n").output.find("ball takes at, ") == 0);
   CHECK(session(folder, scene + ":set ball.\n").output.find("ball takes at, ") == 0);
-  CHECK(session(folder, scene + ":set nobody.x\n").errors.find("`nobody` is no thing of the scene") == 0);
+  CHECK(session(folder, scene + ":set nobody.x\n").errors.find("there is no thing `nobody` in the scene") == 0);
 }
 
 TEST_CASE("session as a script: :undo and :redo say what they took back and did again") {
@@ -153,7 +153,7 @@ TEST_CASE("session as a script: what cannot be read or written is reported") {
   const TestFolder folder;
   CHECK(session(folder, ":load nothing.rtl\n").errors.find("nothing.rtl") != std::string::npos);
   CHECK(session(folder, "sphere {}\n:save no/such/folder.rtl\n").exit_code == 1);
-  CHECK(session(folder, ":save\n").errors.find("under which name?") != std::string::npos);
+  CHECK(session(folder, ":save\n").errors.find("give a file name") != std::string::npos);
   CHECK(session(folder, ":render picture.bmp\n").errors.find(".png") != std::string::npos);
   CHECK(session(folder, "", {"nothing.rtl"}).exit_code == 1);
 }

@@ -100,7 +100,7 @@ void derive_shape(Steps& steps, const CylinderGeometry& cylinder) {
     steps.so("a = 0: the ray is parallel to the axis, and can only hit the ends");
   } else {
     steps.so();
-    const auto roots = steps.solve(a, b, c, "the endless side");
+    const auto roots = steps.solve(a, b, c, "the infinite side");
     for (int i = 1; i <= roots.count; ++i) {
       const double t = i == 1 ? roots.first : roots.second;
       if (is_infinite)

@@ -261,7 +261,7 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("background: skyblue") == "this is the background: the ray hits nothing");
   CHECK(sentence_of("background: black") == "black because the ray hits nothing, and the background is black");
   CHECK(sentence_of(lit + "ball = sphere {}\nball") ==
-        "`ball` (line 3) is seen in the light of sun (line 1) (89 %) and ambient light (11 %)");
+        "`ball` (line 3) is lit by sun (line 1) (89 %) and ambient light (11 %)");
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, 1] }\nsphere {}") ==
         "black because sphere (line 3) faces away from sun (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0\nspot { at: [0, 9, 9], look_at: [0, 9, 0] }\nsphere {}") ==
@@ -279,7 +279,7 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("background: #fff\nambient: 0\nsphere { material: material { refract: 0.9, ior: 1.5 } }") ==
         "100 % of the light comes from the background, through sphere (line 3)");
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, -1], intensity: 3 }\nsphere {}") ==
-        "sphere (line 3) is seen in the light of sun (line 2) (100 %); it is brighter than the picture can show and "
+        "sphere (line 3) is lit by sun (line 2) (100 %); it is brighter than the picture can show and "
         "clipped to white");
   // Light that is there and does not get by: blue through a red pane, bent or not, and a weak mirror of a bright
   // background.

@@ -59,7 +59,7 @@ TEST_CASE("rtlang merge: what is no whole is refused, with the reason") {
   render({"-o", "piece.exr", "--part", "2/2", "--crop", "0,0,9,9"});
   CHECK_THAT(message({"merge", "1.exr", "plain.exr", "-o", "x.png"}), Contains("`plain.exr` has no sums"));
   CHECK_THAT(message({"merge", "1.exr", "whole.exr", "-o", "x.png"}), Contains("already contains all samples"));
-  CHECK_THAT(message({"merge", "1.exr", "1.exr", "-o", "x.png"}), Contains("part 1/2 is there twice"));
+  CHECK_THAT(message({"merge", "1.exr", "1.exr", "-o", "x.png"}), Contains("part 1/2 is given twice"));
   CHECK_THAT(message({"merge", "1.exr", "other.exr", "-o", "x.png"}), Contains("different scenes, sizes or seeds"));
   CHECK_THAT(message({"merge", "1.exr", "third.exr", "-o", "x.png"}), Contains("one of 2 parts"));
   CHECK_THAT(message({"merge", "1.exr", "piece.exr", "-o", "x.png"}), Contains("different parts of the picture"));

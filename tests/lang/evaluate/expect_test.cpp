@@ -83,8 +83,9 @@ TEST_CASE("expect: light is what closed forms say") {
 TEST_CASE("expect: an estimate needs a tolerance, and one that can be met") {
   const std::string room = "mode: path\nbox { size: 2, material: material { diffuse: 0.5, emission: 1 } }\n";
   CHECK(has(first_message(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2"), "specify its precision"));
-  CHECK(has(first_message("sphere {}\nexpect irradiance([0, 2, 0], [0, 1, 0]) ~ 1 within 0.1"), "irradiance requires `mode: path`"));
-  CHECK(has(first_message(room + "expect irradiance([0, 0, 0], [0, 0, 0]) ~ 1 within 0.1"), "is finite"));
+  CHECK(has(first_message("sphere {}\nexpect irradiance([0, 2, 0], [0, 1, 0]) ~ 1 within 0.1"),
+            "irradiance requires `mode: path`"));
+  CHECK(has(first_message(room + "expect irradiance([0, 0, 0], [0, 0, 0]) ~ 1 within 0.1"), "must be finite"));
   CHECK_THAT(failure(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2.5 within 0.1"), Catch::Contains("differ"));
 }
 

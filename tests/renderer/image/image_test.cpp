@@ -279,7 +279,7 @@ TEST_CASE("image: a damaged file is told from a picture, and is named") {
   CHECK_THAT(message("GIF89a"), Contains("`bad.img` is not a supported picture file"));
   CHECK_THAT(message("P6\n2 2\n255\nabc"), Contains("`bad.img` cannot be read: the file is truncated"));
   CHECK_THAT(message("P6\n99999999 99999999\n255\nabc"), Contains("the file is truncated"));
-  CHECK_THAT(message("P6\n-2 2\n255\nabc"), Contains("whole number"));
+  CHECK_THAT(message("P6\n-2 2\n255\nabc"), Contains("expected an integer"));
   CHECK_THAT(message("P5\n1 1\n70000\nabc"), Contains("70000"));
   CHECK_THAT(message("P3\n1 1\n9\n10 0 0"), Contains("greater"));
   CHECK_THAT(message("P3\n1 1\n9\n1 0        "), Contains("the file is truncated"));

@@ -61,7 +61,7 @@ TEST_CASE("why: the path alone is what a screen holds, and the terms that make 9
   CHECK(contains(text, "the path that carries most of the light, 92 % of it"));
   CHECK(contains(text, "the background, through box (line 3)\n"));
   CHECK(contains(text, "smaller terms\n"));
-  CHECK_FALSE(contains(text, "reflected ray"));
+  CHECK_FALSE(contains(text, "mirrored ray"));
   // As JSON: what is not on the path has no surfaces.
   const json first = explain::why_json(asked->answer, {})["tree"]["surfaces"].at(0);
   CHECK_FALSE(first["mirror"]["ray"].contains("surfaces"));

@@ -65,11 +65,11 @@ std::optional<Step> rotate(BuiltinCall& c) {
   }
   if (!are_finite(c)) return std::nullopt;
   if (!c.has(axis) || !c.has(angle) || c.has(0) || c.has(1) || c.has(2) || c.has(3)) {
-    c.fail(c.has(axis) ? axis : angle, "`axis` and `angle` go together, and without x, y, z");
+    c.fail(c.has(axis) ? axis : angle, "`axis` and `angle` must be given together, and without x, y, z");
     return std::nullopt;
   }
   if (length(c.vector(axis)) == 0) {
-    c.fail(axis, "the axis of a rotation must have a direction", "this has length 0");
+    c.fail(axis, "the axis of a rotation must not be the zero vector", "this has length 0");
     return std::nullopt;
   }
   return scene::RotateAxisStep{c.vector(axis), c.number(angle), about(c, fixed)};
@@ -144,19 +144,19 @@ std::optional<Step> transform(BuiltinCall& c) {
 std::span<const ChainMethod> chain_methods() {
   static constexpr ChainMethod table[] = {
       {"scale", "factors: number or vector = ?, x: number = 1, y: number = 1, z: number = 1, about: vector = [0, 0, 0]",
-       "enlarged, about a fixed point", scale},
+       "scaled about a fixed point", scale},
       {"rotate",
        "degrees: vector = ?, x: number = 0, y: number = 0, z: number = 0, axis: vector = ?, angle: number = ?, about: "
        "vector = [0, 0, 0]",
-       "turned about the x, then the y, then the z axis, or by an angle about any axis, in degrees", rotate},
+       "rotated about the x, then the y, then the z axis, or by an angle about any axis, in degrees", rotate},
       {"move", "offset: vector = ?, x: number = 0, y: number = 0, z: number = 0", "moved", move},
       {"shear",
        "xy: number = 0, xz: number = 0, yx: number = 0, yz: number = 0, zx: number = 0, zy: number = 0, about: vector "
        "= [0, 0, 0]",
-       "slanted: x grows by xy times y and xz times z, and so on", shear},
+       "sheared: xy times y and xz times z are added to x, and so on", shear},
       {"mirror", "normal: vector = ?, x: number = 0, y: number = 0, z: number = 0, about: vector = [0, 0, 0]",
-       "mirrored at the plane perpendicular to a direction", mirror},
-      {"transform", "matrix: list", "moved by a matrix, 3 rows of 4 numbers: p becomes M p", transform},
+       "mirrored about the plane perpendicular to a direction", mirror},
+      {"transform", "matrix: list", "transformed by a matrix, 3 rows of 4 numbers: p becomes M p", transform},
   };
   return table;
 }

@@ -46,7 +46,7 @@ Value mixed(BuiltinCall& c) {
   const Value &a = c[0], &b = c[1];
   if (a.is_number() && b.is_number()) return a.number() + (b.number() - a.number()) * t;
   if (a.is(ValueKind::vector) && b.is(ValueKind::vector)) {
-    if (a.vector_size() != b.vector_size()) return c.fail(1, "both vectors must have as many numbers");
+    if (a.vector_size() != b.vector_size()) return c.fail(1, "both vectors must have the same number of components");
     const Vec3 v = a.vector() + (b.vector() - a.vector()) * t;
     return a.vector_size() == 2 ? Value::point(v.x, v.y) : Value(v);
   }

@@ -266,7 +266,8 @@ std::span<const Builtin> geometry() {
   static constexpr Builtin table[] = {
       {"triple", "a: vector, b: vector, c: vector", "a · (b × c): the volume that three vectors span, with a sign",
        triple_product, triple_formula},
-      {"component", "v: point, along: point", "how far v goes along another vector", component, component_formula},
+      {"component", "v: point, along: point", "the length of the projection of v onto another vector, signed",
+       component, component_formula},
       {"direction_angles", "v: vector", "the angles to the three axes, in degrees", direction_angles},
       {"refract", "v: point, normal: point, ratio: number",
        "direction behind a surface, of length 1, by Snell's law; ratio is the index in front over that behind; `none` "
@@ -287,9 +288,9 @@ std::span<const Builtin> geometry() {
       {"from_spherical", "p: vector", "the point at [ρ, θ, φ]", from_spherical, vector_formula<from_spherical_terms>},
       {"matmul", "a: list, b: list", "product of two matrices (lists of rows), or of a matrix and a vector",
        matrix_product},
-      {"transpose", "m: list", "rows and columns exchanged", transposed},
+      {"transpose", "m: list", "the transposed matrix", transposed},
       {"determinant", "m: list", "determinant of a square matrix", determinant},
-      {"inverse", "m: list", "the matrix that undoes a square one", inverse},
+      {"inverse", "m: list", "inverse of a square matrix", inverse},
   };
   return table;
 }

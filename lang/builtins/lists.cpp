@@ -54,7 +54,7 @@ template <bool is_max>
 Value extreme(BuiltinCall& c) {
   const auto all = numbers(c);
   if (!all) return Value::poison();
-  if (all->empty()) return c.fail(0, "an empty list has no least or greatest element");
+  if (all->empty()) return c.fail(0, "an empty list has no minimum or maximum");
   double best = (*all)[0].number();
   for (const Value& v : *all) best = is_max ? std::max(best, v.number()) : std::min(best, v.number());
   return best;
@@ -129,7 +129,7 @@ std::optional<bool> ask(BuiltinCall& c, const Value& element) {
   const Value answer = c.call(c[0], {element});
   if (answer.is_poison()) return std::nullopt;
   if (answer.is(ValueKind::boolean)) return answer.truth();
-  c.fail(0, "this function must give true or false", "it gives " + describe(answer));
+  c.fail(0, "this function must return true or false", "it gives " + describe(answer));
   return std::nullopt;
 }
 
@@ -170,8 +170,8 @@ Value quantified(BuiltinCall& c) {
     const Value holds = has_function ? c.call(c[0], {element}) : element;
     if (holds.is_poison()) return holds;
     if (!is_boolean_like(holds))
-      return has_function ? c.fail(0, "this function must give true or false", "it gives " + describe(holds))
-                          : c.fail(0, "without a function, the list must hold truth values",
+      return has_function ? c.fail(0, "this function must return true or false", "it gives " + describe(holds))
+                          : c.fail(0, "without a function, the list must contain truth values",
                                    "element " + std::to_string(i) + " is " + describe(holds));
     if (holds.is(ValueKind::boolean) && holds.truth() == wanted) return holds;
     if (holds.is(ValueKind::boolean)) continue;
@@ -342,12 +342,12 @@ std::span<const Builtin> lists() {
       {"sum", "list: list", "sum of numbers, vectors or colours", total, total_formula},
       {"product", "x…: number or list", "product of numbers, or of one list of them", product,
        combined_formula<Opcode::multiply>},
-      {"min", "x…: number or list", "the least of some numbers, or of one list of them", extreme<false>,
+      {"min", "x…: number or list", "minimum of numbers, or of a list of them", extreme<false>,
        combined_formula<Opcode::minimum>},
-      {"max", "x…: number or list", "the greatest of some numbers, or of one list of them", extreme<true>,
+      {"max", "x…: number or list", "maximum of numbers, or of a list of them", extreme<true>,
        combined_formula<Opcode::maximum>},
-      {"zip", "lists…: list", "lists of the first elements, of the second ones, and so on", zipped, zipped},
-      {"concat", "lists…: list", "one list of the elements of all", concatenated, concatenated},
+      {"zip", "lists…: list", "list of the first elements, of the second ones, and so on", zipped, zipped},
+      {"concat", "lists…: list", "concatenation of lists", concatenated, concatenated},
       {"flatten", "list: list", "the elements of the lists in a list, one level deep", flattened, flattened},
       {"sort", "list: list, key: function = ?", "in ascending order of the elements, or of key(x)", sorted},
       {"reverse", "list: list", "from the last to the first", reversed, reversed},
@@ -357,7 +357,7 @@ std::span<const Builtin> lists() {
        quantified<false>},
       {"contains", "list: list, x: any", "whether an element equals x", contains},
       {"str", "x: any", "as text", as_string},
-      {"print", "x…: any", "tells the values and the place on standard error, and is `none`", printed},
+      {"print", "x…: any", "prints the values and the place to standard error, and returns `none`", printed},
   };
   return table;
 }

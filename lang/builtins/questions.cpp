@@ -14,7 +14,7 @@ bool is_pixel(BuiltinCall& c) {
   for (std::size_t i = 0; i < 2; ++i) {
     const double n = c.number(i);
     if (n != std::trunc(n))
-      return c.fail(i, "a pixel is counted in whole numbers; a point between pixel centres is `image_point(x, y)`", ""),
+      return c.fail(i, "pixel coordinates are integers; for a point between pixel centres use `image_point(x, y)`", ""),
              false;
     if (!(n >= 0 && n < size[i]))
       return c.fail(i, fmt::format("there is no such pixel: the picture has {} × {}, counted from 0", size[0], size[1]),
@@ -45,7 +45,7 @@ std::optional<Sighting> pixel_sighting(BuiltinCall& c, bool& is_asked) {
 
 bool is_ray(BuiltinCall& c) {
   if (length(c.vector(1)) > 0 && is_finite(c.vector(0)) && is_finite(c.vector(1))) return true;
-  c.fail(1, "a ray goes somewhere: its direction is finite and not 0", "");
+  c.fail(1, "a ray's direction must be finite and not zero", "");
   return false;
 }
 
@@ -89,7 +89,7 @@ Value light(BuiltinCall& c, Ask&& ask) {
   if (!observer) return Value::poison();
   const std::optional<double> precision = c.precision();
   if (observer->estimates() && !precision)
-    return c.fail(0, "in path mode this is an estimate: say how precise it is to be, as in `~ 0.5 within 0.001`");
+    return c.fail(0, "in path mode this is an estimate: specify its precision, as in `~ 0.5 within 0.001`");
   const LightAnswer found = ask(*observer, precision.value_or(0));
   if (found.is_precise) return found.color;
   return c.fail(0,
@@ -113,9 +113,9 @@ Value radiance(BuiltinCall& c) {
 }
 
 Value irradiance(BuiltinCall& c) {
-  if (!c.scene().is_path()) return c.fail(0, "only `mode: path` knows the light that falls on a point from all sides");
+  if (!c.scene().is_path()) return c.fail(0, "irradiance requires `mode: path`");
   if (!(length(c.vector(1)) > 0) || !is_finite(c.vector(0)) || !is_finite(c.vector(1)))
-    return c.fail(1, "a normal points somewhere: it is finite and not 0", "");
+    return c.fail(1, "a normal must be finite and not zero", "");
   return light(c, [&](const Observer& observer, double precision) {
     return observer.irradiance(c.vector(0), c.vector(1), precision);
   });
@@ -139,12 +139,12 @@ std::span<const Builtin> questions() {
       {"ray", "origin: vector, direction: vector, thing: any = ?",
        "any ray through the scene, or against one thing alone, placed or not", ray},
       {"depth", "x: number, y: number",
-       "the distance from the eye to what the pixel's centre shows; infinite for nothing", depth},
-      {"normal", "x: number, y: number", "the unit normal there, out of the solid; `none` for nothing", normal},
+       "the distance from the eye to the hit of the ray through the pixel's centre; infinite for a miss", depth},
+      {"normal", "x: number, y: number", "the unit normal there, pointing out of the solid; `none` for a miss", normal},
       {"color", "x: number, y: number", "the light of a pixel, as a colour before it is rounded", color},
-      {"radiance", "origin: vector, direction: vector", "the light that comes in along a ray, as a colour", radiance},
+      {"radiance", "origin: vector, direction: vector", "the radiance along a ray, as a colour", radiance},
       {"irradiance", "point: vector, normal: vector",
-       "in path mode, the light that falls on a point from the side of the normal, as a colour; π under a white sky",
+       "in path mode, the irradiance at a point on the side of the normal, as a colour; π under a white sky",
        irradiance},
       {"crossings", "origin: vector, direction: vector, thing: any = ?", "t of all hits of a ray, in order", crossings},
   };

@@ -48,9 +48,9 @@ Value noise_formula(BuiltinCall& call) {
 
 std::span<const Builtin> randoms() {
   static constexpr Builtin table[] = {
-      {"random", "key…: any", "a number from 0 up to, but not including, 1 that belongs to the key", random_number},
-      {"noise_at", "p: point, seed…: any = ?",
-       "smooth gradient noise, from -1 to 1 and 0 at points with whole coordinates", noise, noise_formula},
+      {"random", "key…: any", "a pseudorandom number in [0, 1) determined by the key", random_number},
+      {"noise_at", "p: point, seed…: any = ?", "smooth gradient noise, from -1 to 1 and 0 at integer points", noise,
+       noise_formula},
   };
   return table;
 }

@@ -6,7 +6,7 @@ namespace rt::lang::builtins {
 
 bool have_equal_sizes(BuiltinCall& c) {
   if (vector_like_size(c[0]) == vector_like_size(c[1])) return true;
-  c.fail(1, "both vectors must have as many numbers");
+  c.fail(1, "both vectors must have the same number of components");
   return false;
 }
 

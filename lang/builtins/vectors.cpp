@@ -98,16 +98,16 @@ Value unit_vector_formula(BuiltinCall& call) {
 
 std::span<const Builtin> vectors() {
   static constexpr Builtin table[] = {
-      {"dot", "a: point, b: point", "scalar product", dot_product, number_of_two<dot_term>},
-      {"cross", "a: vector, b: vector", "vector product, right-handed", cross_product, vector_of_two<cross_terms>},
+      {"dot", "a: point, b: point", "dot product", dot_product, number_of_two<dot_term>},
+      {"cross", "a: vector, b: vector", "cross product, right-handed", cross_product, vector_of_two<cross_terms>},
       {"length", "v: point", "length of a vector", length_of, length_formula},
-      {"normalize", "v: point", "the vector of length 1 in the same direction", unit_vector, unit_vector_formula},
+      {"normalize", "v: point", "the unit vector in the same direction", unit_vector, unit_vector_formula},
       {"distance", "a: point, b: point", "distance between two points", distance_between, number_of_two<distance_term>},
       {"angle_between", "a: point, b: point", "angle between two vectors, 0 to 180 degrees", angle,
        number_of_two<angle_term>},
-      {"project", "v: point, onto: point", "the part of v along another vector", projected,
+      {"project", "v: point, onto: point", "the projection of v onto another vector", projected,
        vector_of_two<projected_terms>},
-      {"reflect", "v: point, normal: point", "v mirrored at the plane perpendicular to normal", mirrored,
+      {"reflect", "v: point, normal: point", "v reflected about the plane perpendicular to normal", mirrored,
        vector_of_two<mirrored_terms>},
   };
   return table;

@@ -131,13 +131,13 @@ Value Evaluator::within_range(const Value& value, Span place, const ParamItem& p
         ast.span(param.range), "the values that a `param` may have are a range", "this is " + describe(range)));
   if (!value.is_number())
     return evaluation_.errors.fail(
-        errors::param_out_of_range(place, "only a number can lie in a range", "this is " + describe(value)));
+        errors::param_out_of_range(place, "only a number can have a range", "this is " + describe(value)));
   const RangeValue& r = range.range();
   const double low = std::min(r.from, r.to), high = std::max(r.from, r.to), x = value.number();
   const bool is_at_open_end = range.excludes_end() && x == r.to;
   if (x >= low && x <= high && !is_at_open_end) return value;
   Diagnostic error = errors::param_out_of_range(
-      place, fmt::format("`{}` is outside of its range", evaluation_.errors.name(ast.symbol(param.name))),
+      place, fmt::format("`{}` is out of range", evaluation_.errors.name(ast.symbol(param.name))),
       fmt::format("it must be in {}", program_.sources.text(ast.span(param.range))));
   error.notes.push_back({ast.span(param.range), "the range is given here"});
   return evaluation_.errors.fail(std::move(error));

@@ -83,7 +83,7 @@ void ExpectationRunner::fail_expectation(const Expectation& expectation, std::st
   for (const Expectation::LoopVariable& v : expectation.turn)
     turn += fmt::format("{}{} = {}", turn.empty() ? "" : ", ", program_.sources.text(v.name),
                         format(v.value, program_.symbols));
-  if (!turn.empty()) d.notes.push_back({std::nullopt, "in the turn of the loop with " + turn});
+  if (!turn.empty()) d.notes.push_back({std::nullopt, "in the loop iteration with " + turn});
 }
 
 bool ExpectationRunner::holds_true(const Expectation& expectation, const ExpectItem& item) {

@@ -90,9 +90,9 @@ void LimitGuard::enter_call(Span place) {
   const int depth = recursion_ + 1;
   if (depth > limits_.recursion)
     give_up(errors::calls_too_deep(place, fmt::format("calls are nested more than {} deep", limits_.recursion),
-                                   "does this call itself without end?"));
+                                   "infinite recursion?"));
   if (&here < stack_limit_)
-    give_up(errors::calls_too_deep(place, fmt::format("calls are nested too deep: {} of them fill the stack", depth),
+    give_up(errors::calls_too_deep(place, fmt::format("calls are nested too deeply: {} of them fill the stack", depth),
                                    "here it was stopped"));
   recursion_ = depth;
 }

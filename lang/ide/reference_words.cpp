@@ -15,14 +15,14 @@ Form form_of(Word word) {
   case Word::for_:
   case Word::in_:
     return {"for x in 0..5 { … }   for i, x in list { … }   [x * x for x in 0..5]",
-            "once for each element; what the block places and sets counts outside, what it binds does not"};
+            "once per element; things placed and properties set apply to the enclosing block, bindings are local"};
   case Word::by_:
     return {"0..1 by 0.25", "a range's step"};
   case Word::if_:
   case Word::else_:
     return {"if a > 1 { … } else { … }", "one block or the other; as a value it needs `else`"};
   case Word::def_:
-    return {"def table(width = 2) { … }", "a thing of one's own, which `table { width: 3 }` makes"};
+    return {"def table(width = 2) { … }", "defines a thing, placed with `table { width: 3 }`"};
   case Word::fn_:
     return {"fn wave(a) = 0.3 * sin(a)   fn (x) => x * x", "a function, with a name or without"};
   case Word::use_:
@@ -38,11 +38,11 @@ Form form_of(Word word) {
     return {"a > 1 and not b or c", "true or false; `not` before `and` before `or`"};
   case Word::true_:
   case Word::false_:
-    return {"true   false", "the two answers"};
+    return {"true   false", "the two truth values"};
   case Word::none_:
-    return {"none", "no thing: where it is placed, nothing is"};
+    return {"none", "no value; as an item it places nothing"};
   case Word::expect_:
-    return {"expect pixel(400, 300) hits ball   expect a ~ b", "what `rtlang test` tries"};
+    return {"expect pixel(400, 300) hits ball   expect a ~ b", "a test run by `rtlang test`"};
   default:
     return {};
   }

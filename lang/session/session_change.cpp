@@ -243,7 +243,7 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
       const std::string_view name = core_.program.symbols.name(draft->key),
                              other = core_.program.symbols.name(statement.key);
       core_.report.add(errors::no_value_yet(draft->unit->ast.span(draft->nodes.front()),
-                                            fmt::format("`{}` would need itself: `{}` is made of it", name, other),
+                                            fmt::format("`{}` would depend on itself: `{}` uses it", name, other),
                                             fmt::format("this uses `{}`", other)));
     }
     for (const TopName& name : statement.names)

@@ -53,7 +53,7 @@ SessionResult Session::set(std::string_view target, std::string_view value) {
   const Statement& statement = change[at];
   const Ast& ast = statement.unit->ast;
   if (statement.is_function() || statement.kind == Kind::use || statement.kind == Kind::include)
-    return failed(fmt::format("`{}` is no thing, but a declaration", name),
+    return failed(fmt::format("`{}` is a declaration, not a thing", name),
                   {"set what it makes, where that is placed, by its name or its number in :list"});
   NodeId node = statement.nodes.front();
   if (statement.kind == Kind::bind) node = ast.bind_item(node).value;

@@ -49,8 +49,9 @@ Search find_number(SessionCore& core, const SessionChange& change, std::uint64_t
     if (range.holds(number)) return {i, number - range.first, "", ""};
     if (range.count > 0) last = range.first + range.count - 1;
   }
-  return {std::nullopt, 0, fmt::format("nothing has the number {}", number),
-          last == 0 ? "a number is for what has no name, and all has one" : fmt::format(":list goes up to {}", last)};
+  return {std::nullopt, 0, fmt::format("there is no thing number {}", number),
+          last == 0 ? "only things without a name have a number, and everything has a name"
+                    : fmt::format(":list goes up to {}", last)};
 }
 
 // How to say which of several is meant.
@@ -69,7 +70,7 @@ std::string numbers_of(SessionCore& core, const SessionChange& change, const std
     }
   }
   if (numbers.empty()) return "";
-  return fmt::format("say its number in the place of the name, as :list shows it: {}{}", fmt::join(numbers, ", "),
+  return fmt::format("use its number from :list instead of the name: {}{}", fmt::join(numbers, ", "),
                      are_more ? ", …" : "");
 }
 

@@ -59,7 +59,7 @@ void Submission::edit(const SessionChange::Draft& draft, NodeId item) {
   if (!at) {
     core_.report.add(errors::line_begins_with_operator(draft->unit->ast.span(item),
                                                        "there is no thing before this line that it could change",
-                                                       "a line that begins with `.` goes on with the one before it"));
+                                                       "a line that begins with `.` continues the previous one"));
     return;
   }
   const Statement& old = change_[*at];

@@ -14,7 +14,7 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // some editors put
 
 FileId SourceMap::add(std::string name, std::string path, std::string text, Span included_from) {
   if (text.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::length_error(name + ": a scene's file may have 4 GB at the most");
+    throw std::length_error(name + ": a scene file may be at most 4 GB");
   }
   const auto id = static_cast<FileId>(files_.size());
   SourceFile file{std::move(name), std::move(path), std::move(text), {0}, included_from};

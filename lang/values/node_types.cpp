@@ -27,7 +27,7 @@ std::vector<Property> from_fields(std::span<const Field> fields) {
 constexpr scene::Constraint turns_nothing_flat{.is_nonzero = true};
 
 Property at() {
-  return {"at", PropertyType::vector, Common::at, 0, {}, "[0, 0, 0]", "where it stands", {}, nullptr};
+  return {"at", PropertyType::vector, Common::at, 0, {}, "[0, 0, 0]", "position", {}, nullptr};
 }
 Property rotate() {
   return {"rotate",
@@ -36,23 +36,17 @@ Property rotate() {
           0,
           {},
           "[0, 0, 0]",
-          "turned about the x, then the y, then the z axis, degrees",
+          "rotation about the x, then the y, then the z axis, degrees",
           {},
           nullptr};
 }
 Property scale() {
-  return {"scale",
-          PropertyType::size,
-          Common::scale,
-          0,
-          turns_nothing_flat,
-          "1",
-          "enlarged, one number or one for each axis",
-          {},
-          nullptr};
+  return {
+      "scale", PropertyType::size, Common::scale, 0, turns_nothing_flat, "1", "scale factor, or one for each axis", {},
+      nullptr};
 }
 Property name() {
-  return {"name", PropertyType::text, Common::name, 0, {}, "", "what reports call it", {}, nullptr};
+  return {"name", PropertyType::text, Common::name, 0, {}, "", "name in reports", {}, nullptr};
 }
 
 void append_placement(std::vector<Property>& properties) {
@@ -61,18 +55,19 @@ void append_placement(std::vector<Property>& properties) {
 
 void append_common(std::vector<Property>& properties) {
   append_placement(properties);
-  properties.push_back({"material",
-                        PropertyType::material,
-                        Common::material,
-                        0,
-                        {},
-                        "",
-                        "its surface: a material, a colour or a pattern; else that of the composite around it",
-                        {},
-                        nullptr});
+  properties.push_back(
+      {"material",
+       PropertyType::material,
+       Common::material,
+       0,
+       {},
+       "",
+       "its surface: a material, a colour or a pattern; inherited from the enclosing composite by default",
+       {},
+       nullptr});
   properties.push_back(name());
   properties.push_back(
-      {"visible", PropertyType::boolean, Common::visible, 0, {}, "true", "false: absent altogether", {}, nullptr});
+      {"visible", PropertyType::boolean, Common::visible, 0, {}, "true", "false: removed entirely", {}, nullptr});
   properties.push_back({"casts_shadow",
                         PropertyType::boolean,
                         Common::casts_shadow,
@@ -129,8 +124,8 @@ NodeTypes::NodeTypes() {
   const auto add_combination = [&](Operation operation, std::string_view help) {
     nouns_.push_back(composite_noun(scene::noun(operation), Category::combination, help, operation));
   };
-  add_combination(Operation::unite, "solids as one, also written a | b");
-  add_combination(Operation::intersect, "what solids share, also written a & b");
+  add_combination(Operation::unite, "the union of solids, also written a | b");
+  add_combination(Operation::intersect, "the intersection of solids, also written a & b");
   add_combination(Operation::subtract, "the first solid without the others, also written a - b");
   nouns_.push_back(
       type_of("material", Category::material, "what a surface and its inside look like", scene::Material{}));

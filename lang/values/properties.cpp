@@ -27,7 +27,7 @@ std::string_view describe(const Property& property) {
   case PropertyType::fade:
     return "linear(d), quadratic(d) or inverse_square";
   case PropertyType::resolution:
-    return "two whole numbers, [width, height]";
+    return "two integers, [width, height]";
   case PropertyType::metal:
     return "a metal such as gold, or { n: …, k: … }";
   case PropertyType::absorb:

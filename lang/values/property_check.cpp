@@ -152,7 +152,7 @@ private:
     if (is_written && !value.is_number())
       return errors::wrong_property_value(
           {}, fmt::format("`{}` takes a number or a pattern of numbers, not one of colours", property_.name),
-          "this holds a colour");
+          "this contains a colour");
     const std::optional<Color> shown = as_color(value);
     auto mistake = shown ? mistake_of(property_, check(property_.constraint, shown->r)) : std::nullopt;
     if (mistake) mistake->label = fmt::format("{} is {}", what, format_number(shown->r));

@@ -67,7 +67,7 @@ std::optional<Violation> check(const Constraint& constraint, const Vec3& vector)
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size) {
   if (!are_kept(constraint, size.x, size.y, size.z)) return first_broken(constraint, size.x, size.y, size.z);
   if (!constraint.is_nonzero || (size.x != 0 && size.y != 0 && size.z != 0)) return std::nullopt;
-  return Violation{Violated::flattens, "must not be 0: that flattens the thing", "this is 0"};
+  return Violation{Violated::flattens, "must not be 0: that would flatten the thing", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Color& color) {

@@ -19,7 +19,7 @@ std::uint32_t hexadecimal(std::string_view digits) {
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
   if (error != std::errc() || end != digits.data() + digits.size())
-    throw std::runtime_error("the names of its Cryptomatte make no sense");
+    throw std::runtime_error("its Cryptomatte manifest is malformed");
   return number;
 }
 

@@ -46,7 +46,7 @@ public:
   StringInput(std::string_view bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
   bool read(char data[], int size) override {
     const std::size_t n = static_cast<std::size_t>(size);
-    if (at_ > bytes_.size() || bytes_.size() - at_ < n) throw std::runtime_error("it ends too early");
+    if (at_ > bytes_.size() || bytes_.size() - at_ < n) throw std::runtime_error("the file is truncated");
     std::memcpy(data, bytes_.data() + at_, n);
     at_ += n;
     return at_ < bytes_.size();
@@ -219,7 +219,7 @@ Image decode_exr(std::string_view bytes, const std::string& name) try {
     constexpr Channel grey_channels[] = {{"Y", Imf::FLOAT, 0}};
     add_slices(frame, grey_channels, image.color, image.width, window.min);
   } else {
-    if (!has_all(list, color_channels)) throw std::runtime_error("it has neither the channels R, G and B nor Y");
+    if (!has_all(list, color_channels)) throw std::runtime_error("it has neither R, G and B channels nor a Y channel");
     add_slices(frame, color_channels, image.color, image.width, window.min);
   }
   bool has_layers = true;

@@ -56,7 +56,7 @@ Image decode(std::string_view bytes, const std::string& name, Transfer assumed) 
   if (bytes.starts_with("PF"sv) || bytes.starts_with("Pf"sv)) return image::decode_pfm(bytes, name);
   for (const std::string_view magic : {"P2"sv, "P3"sv, "P5"sv, "P6"sv})
     if (bytes.starts_with(magic)) return image::decode_pnm(bytes, name, assumed);
-  throw std::runtime_error(fmt::format("`{}` is no picture that can be read (png, exr, ppm, pgm or pfm)", name));
+  throw std::runtime_error(fmt::format("`{}` is not a supported picture file (png, exr, ppm, pgm or pfm)", name));
 }
 
 Image read_image(const std::string& path, Transfer assumed) {

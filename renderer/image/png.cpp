@@ -30,7 +30,7 @@ void flush(png_structp) {}
 
 void take(png_structp png, png_bytep data, png_size_t size) {
   auto& rest = *static_cast<std::string_view*>(png_get_io_ptr(png));
-  if (rest.size() < size) png_error(png, "it ends too early");
+  if (rest.size() < size) png_error(png, "the file is truncated");
   std::memcpy(data, rest.data(), size);
   rest.remove_prefix(size);
 }

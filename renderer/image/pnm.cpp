@@ -26,14 +26,14 @@ public:
     skip_space();
     const std::size_t begin = at_;
     while (at_ < bytes_.size() && !is_space(bytes_[at_])) ++at_;
-    if (begin == at_) fail(name_, "it ends too early");
+    if (begin == at_) fail(name_, "the file is truncated");
     return bytes_.substr(begin, at_ - begin);
   }
   unsigned whole_number() {
     const std::string_view word = next();
     unsigned value = 0;
     for (const char c : word) {
-      if (c < '0' || c > '9' || value > 100'000'000) fail(name_, "a whole number was expected in it");
+      if (c < '0' || c > '9' || value > 100'000'000) fail(name_, "expected an integer in its header");
       value = 10 * value + static_cast<unsigned>(c - '0');
     }
     return value;
@@ -87,13 +87,13 @@ Image decode_pnm(std::string_view bytes, const std::string& name, Transfer assum
   const char kind = words.next()[1];
   const bool is_text = kind == '2' || kind == '3', is_grey = kind == '2' || kind == '5';
   const unsigned width = words.whole_number(), height = words.whole_number(), maximum = words.whole_number();
-  if (maximum == 0 || maximum > 65535) fail(name, fmt::format("its greatest value is {}, not 1 to 65535", maximum));
+  if (maximum == 0 || maximum > 65535) fail(name, fmt::format("its maximum value is {}, not 1 to 65535", maximum));
 
   const std::size_t channels = is_grey ? 1 : 3, sample_size = maximum > 255 ? 2 : 1;
   const std::string_view data = words.rest();
   // A wrong size is detected before memory is allocated for it: a sample in text takes a digit and a space.
   if (data.size() + 1 < std::uint64_t{width} * height * channels * (is_text ? 2 : sample_size))
-    fail(name, "it ends too early");
+    fail(name, "the file is truncated");
   Image image = empty_image(width, height, maximum > 255 ? 16 : 8, name);
 
   const std::vector<float> light = light_of_samples(maximum, assumed);
@@ -103,7 +103,7 @@ Image decode_pnm(std::string_view bytes, const std::string& name, Transfer assum
     if (is_text) {
       value = words.whole_number();
     } else {
-      if (at + sample_size > data.size()) fail(name, "it ends too early");
+      if (at + sample_size > data.size()) fail(name, "the file is truncated");
       for (std::size_t i = 0; i < sample_size; ++i) value = value << 8 | static_cast<unsigned char>(data[at++]);
     }
     if (value > maximum) fail(name, "a sample is greater than its greatest value");
@@ -137,7 +137,7 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
 
   const std::size_t channels = is_grey ? 1 : 3;
   const std::string_view data = words.rest();
-  if (data.size() < std::uint64_t{width} * height * channels * 4) fail(name, "it ends too early");
+  if (data.size() < std::uint64_t{width} * height * channels * 4) fail(name, "the file is truncated");
   Image image = empty_image(width, height, 32, name);
   const auto sample = [&](std::size_t i) {
     std::uint32_t word = 0;

@@ -18,13 +18,14 @@ template <class L>
 inline constexpr Field intensity_field = field<&L::intensity>("intensity", {"1", "factor on the colour", not_negative});
 template <class L>
 inline constexpr Field
-    shadows_field = field<&L::shadows>("shadows", {"true", "false: nothing blocks it and it makes no highlight"});
+    shadows_field = field<&L::shadows>("shadows", {"true", "false: it casts no shadows and makes no highlights"});
 template <class L>
 inline constexpr Field fade_field =
-    field<&L::fade>("fade", {"none", "linear(d), quadratic(d) or inverse_square: how it weakens with distance"});
+    field<&L::fade>("fade", {"none", "attenuation with distance: linear(d), quadratic(d) or inverse_square"});
 template <class L>
 inline constexpr Field radius_field = field<&L::radius>(
-    "radius", {"0", "in path: of the ball that it is; softens shadows, as bright as ever", not_negative});
+    "radius", {"0", "in path mode: radius of the lamp as a sphere; softens shadows without changing the brightness",
+               not_negative});
 
 } // namespace rt::scene
 

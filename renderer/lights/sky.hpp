@@ -11,7 +11,7 @@ namespace rt::scene {
 /// zenith with the sine of the elevation; below the horizon it is constant. Only path mode lights surfaces with it.
 struct SkyLight : LightCommon { // with its own colours instead of the common one
   static constexpr std::string_view noun = "sky";
-  static constexpr std::string_view help = "what is seen where nothing is; in path mode it lights the scene";
+  static constexpr std::string_view help = "what rays that hit nothing see; in path mode it lights the scene";
   Color zenith = white, horizon = white;
   std::optional<Color> ground; ///< 0.3 of the horizon
 };

@@ -9,9 +9,9 @@ std::span<const Field> fields(const SpotLight*) {
   static constexpr Field table[] = {
       field<&SpotLight::at>("at", {"[0, 3, 0]", "position"}),
       field<&SpotLight::look_at>("look_at", {"[0, 0, 0]", "point on the axis of the cone"}),
-      field<&SpotLight::angle>("angle", {"40", "full angle of the cone of full light, degrees", cone}),
+      field<&SpotLight::angle>("angle", {"40", "full angle of the cone of full intensity, degrees", cone}),
       field<&SpotLight::falloff>("falloff",
-                                 {"angle", "full angle of the cone outside of which there is no light, degrees", cone}),
+                                 {"angle", "full angle of the cone outside which there is no light, degrees", cone}),
       color_field<SpotLight>,
       intensity_field<SpotLight>,
       fade_field<SpotLight>,
@@ -23,7 +23,7 @@ std::span<const Field> fields(const SpotLight*) {
 
 std::optional<Problem> check(const SpotLight& light) {
   if (light.at == light.look_at)
-    return Problem{"look_at", "a spot needs a direction: `look_at` is where it stands (`at`)"};
+    return Problem{"look_at", "a spot needs a direction: `look_at` equals its position `at`"};
   if (light.falloff && *light.falloff < light.angle)
     return Problem{"falloff", "`falloff` is the outer cone: it must not be smaller than `angle`"};
   return std::nullopt;

@@ -7,11 +7,12 @@ namespace rt::scene {
 std::span<const Field> fields(const SunLight*) {
   static constexpr Constraint seen_angle{.min = 0, .max = 180};
   static constexpr Field table[] = {
-      field<&SunLight::direction>("direction", {"[-1, -2, -1]", "the way its light travels", nonzero}),
+      field<&SunLight::direction>("direction", {"[-1, -2, -1]", "direction in which its light travels", nonzero}),
       color_field<SunLight>,
       intensity_field<SunLight>,
       field<&SunLight::size>(
-          "size", {"0", "in path: angle that it is seen at, degrees (0.533 is ours); softens shadows", seen_angle}),
+          "size",
+          {"0", "in path mode: angular diameter in degrees (0.533 for the real sun); softens shadows", seen_angle}),
       shadows_field<SunLight>,
   };
   return table;

@@ -21,7 +21,7 @@ std::optional<Problem> check(const Combination& combination) {
   case Combination::Operation::intersect:
     return Problem{"", "an intersection needs at least one solid"};
   case Combination::Operation::subtract:
-    return Problem{"", "a difference needs a solid to take away from"};
+    return Problem{"", "a difference needs a solid to subtract from"};
   }
   return std::nullopt;
 }

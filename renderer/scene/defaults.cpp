@@ -34,7 +34,8 @@ Camera framing_camera(const Box3& box, Resolution size) {
 
 std::string assume_camera(Scene& scene, const Box3& finite_bounds) {
   scene.camera = framing_camera(finite_bounds, scene.size);
-  return fmt::format("there is no camera: looking from {} at {}", text(scene.camera.at), text(scene.camera.look_at));
+  return fmt::format("no camera given: using one at {} looking at {}", text(scene.camera.at),
+                     text(scene.camera.look_at));
 }
 
 bool lacks_light(const Scene& scene, bool has_ambient) {
@@ -50,7 +51,7 @@ std::string assume_light(Scene& scene) {
   SunLight sun;
   sun.direction = {-1, -2, -1.5};
   scene.lights.push_back({sun, {}, {}, no_name, {}});
-  return fmt::format("there is no light: a sun shines along {}", text(sun.direction));
+  return fmt::format("no light given: added a sun with direction {}", text(sun.direction));
 }
 
 } // namespace rt::scene

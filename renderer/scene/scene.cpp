@@ -134,32 +134,35 @@ std::span<const Field> fields(const Scene*) {
   static constexpr Field table[] = {
       field<&Scene::size>("size", {"[800, 600]", "width and height of the picture in pixels", pixels}),
       field<&Scene::background>("background", {"black", "colour of a ray that hits nothing", not_negative}),
-      field<&Scene::ambient>("ambient", {"0.1", "light that is everywhere", not_negative}),
-      field<&Scene::mode>(
-          "mode",
-          {.default_text = "whitted",
-           .help = "how light is followed: whitted; path, with soft shadows and light between surfaces; or occlusion, "
-                   "how open surfaces are",
-           .choices = mode_names}),
+      field<&Scene::ambient>("ambient", {"0.1", "uniform ambient light", not_negative}),
+      field<&Scene::mode>("mode", {.default_text = "whitted",
+                                   .help = "rendering mode: whitted; path (path tracing: soft shadows, indirect "
+                                           "light); or occlusion (ambient occlusion)",
+                                   .choices = mode_names}),
       field<&Scene::max_depth>(
-          "max_depth", {"8", "how often a ray may be mirrored or refracted; in path, scattered at all (64)", depth}),
+          "max_depth",
+          {"8", "maximum number of reflections and refractions; in path mode of all scattering (64)", depth}),
       field<&Scene::samples>(
-          "samples", {"1", "rays for each pixel, a square number: a regular grid; in path, any number (64)", count}),
+          "samples",
+          {"1", "samples per pixel, a square number for a regular grid; in path mode any number (64)", count}),
       field<&Scene::noise>(
           "noise",
-          {"none", "in path: goes on, up to `samples` (65536), until the picture is as quiet as this", positive}),
-      field<&Scene::seed>("seed", {"0", "in path: another seed makes another picture, as good", number}),
+          {"none", "in path mode: target noise level; sampling continues until it is reached, up to `samples` (65536)",
+           positive}),
+      field<&Scene::seed>("seed", {"0", "in path mode: random seed; a different one gives different noise", number}),
       field<&Scene::filter>("filter", {.default_text = "blackman_harris",
-                                       .help = "in path: how pixels overlap (box: not at all)",
+                                       .help = "in path mode: pixel filter (box: no overlap between pixels)",
                                        .choices = filters}),
-      field<&Scene::reach>("reach", {"infinite", "in occlusion: how far away something still blocks", positive}),
-      field<&Scene::min_weight>("min_weight", {"0.001953125",
-                                               "in whitted: how far weak rays that are not followed may move a pixel "
-                                               "together, of white",
-                                               share}),
-      field<&Scene::exposure>("exposure", {"0", "stops by which pictures of 8 and 16 bits are brighter", stops}),
-      field<&Scene::tone>("tone", {"clip", "what is too bright for them: clip makes it white, filmic rolls it off",
-                                   any_value, 0, std::nullopt, tone_choices}),
+      field<&Scene::reach>("reach", {"infinite", "in occlusion mode: maximum distance of occluders", positive}),
+      field<&Scene::min_weight>(
+          "min_weight",
+          {"0.001953125",
+           "in whitted mode: how much all the weak rays that are not traced may change a pixel, as a fraction of white",
+           share}),
+      field<&Scene::exposure>("exposure", {"0", "exposure compensation for 8- and 16-bit pictures, in stops", stops}),
+      field<&Scene::tone>(
+          "tone", {"clip", "tone mapping of 8- and 16-bit pictures: clip (at white), or filmic (rolls off highlights)",
+                   any_value, 0, std::nullopt, tone_choices}),
   };
   return table;
 }

@@ -8,7 +8,7 @@ namespace rt::scene {
 
 std::span<const Field> fields(const Box*) {
   static constexpr Field table[] = {
-      field<&Box::size>("size", {"1", "edge lengths along x, y and z, or one for all; the middle is at `at`", positive,
+      field<&Box::size>("size", {"1", "edge lengths along x, y and z, or one for all; the centre is at `at`", positive,
                                  1, FieldType::size}),
       field<&Box::from>("from", {"", "one corner", any_value, 2}),
       field<&Box::to>("to", {"", "the opposite corner", any_value, 2}),

@@ -9,7 +9,7 @@ namespace rt::scene {
 /// `to`.
 struct Box {
   static constexpr std::string_view noun = "box";
-  static constexpr std::string_view help = "a block with faces along the axes";
+  static constexpr std::string_view help = "an axis-aligned box";
   std::optional<Vec3> size; ///< 1 along each axis if neither form is specified
   std::optional<Vec3> from, to;
 };

@@ -12,8 +12,8 @@ std::span<const Field> fields(const Cone*) {
       field<&Cone::from>("from", {"[0, 0, 0]", "centre of one end"}),
       field<&Cone::to>("to", {"[0, 1, 0]", "centre of the other end"}),
       field<&Cone::radius>("radius", {"1", "radius at `from`", not_negative}),
-      field<&Cone::top_radius>("top_radius", {"0", "radius at `to`; 0 makes a point", not_negative}),
-      field<&Cone::open>("open", {"false", "true: without the discs that close it"}),
+      field<&Cone::top_radius>("top_radius", {"0", "radius at `to`; 0 for a pointed cone", not_negative}),
+      field<&Cone::open>("open", {"false", "true: without end discs"}),
   };
   return table;
 }

@@ -10,7 +10,7 @@ namespace rt::scene {
 /// point), closed by a disc at each end whose radius is not 0; `open` omits the discs.
 struct Cone {
   static constexpr std::string_view noun = "cone";
-  static constexpr std::string_view help = "a round bar whose radius changes from end to end";
+  static constexpr std::string_view help = "a cone, or a frustum between two radii";
   Vec3 from{0, 0, 0};
   Vec3 to{0, 1, 0};
   double radius = 1;

@@ -11,11 +11,11 @@ std::span<const Field> fields(const Cylinder*) {
   static constexpr Field table[] = {
       field<&Cylinder::from>("from", {"", "centre of one end", any_value, 1}),
       field<&Cylinder::to>("to", {"", "centre of the other end", any_value, 1}),
-      field<&Cylinder::axis>("axis", {"[0, 1, 0]", "direction of the axis; the middle is at `at`", nonzero, 2}),
+      field<&Cylinder::axis>("axis", {"[0, 1, 0]", "direction of the axis; the centre is at `at`", nonzero, 2}),
       field<&Cylinder::height>("height", {"1", "length from end to end, half of it each way", positive, 2}),
       field<&Cylinder::radius>("radius", {"1", "distance from the axis to the surface", positive}),
-      field<&Cylinder::open>("open", {"false", "true: a tube, without the discs that close it"}),
-      field<&Cylinder::infinite>("infinite", {"false", "true: goes on along its axis without end, both ways"}),
+      field<&Cylinder::open>("open", {"false", "true: an open tube, without end discs"}),
+      field<&Cylinder::infinite>("infinite", {"false", "true: extends infinitely along its axis in both directions"}),
   };
   return table;
 }

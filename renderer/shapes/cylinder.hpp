@@ -11,7 +11,7 @@ namespace rt::scene {
 /// both ways.
 struct Cylinder {
   static constexpr std::string_view noun = "cylinder";
-  static constexpr std::string_view help = "a round bar between two points, or along an axis";
+  static constexpr std::string_view help = "a cylinder between two points, or along an axis";
   std::optional<Vec3> from, to;
   std::optional<Vec3> axis;     ///< +y if neither form is specified
   std::optional<double> height; ///< 1 if not specified

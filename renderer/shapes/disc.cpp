@@ -11,14 +11,14 @@ namespace rt::scene {
 std::span<const Field> fields(const Disc*) {
   static constexpr Field table[] = {
       field<&Disc::normal>("normal", {"[0, 1, 0]", "direction perpendicular to the disc", nonzero}),
-      field<&Disc::radius>("radius", {"1", "distance from the middle to the rim", positive}),
+      field<&Disc::radius>("radius", {"1", "distance from the centre to the rim", positive}),
       field<&Disc::hole>("hole", {"0", "radius of the round hole in the middle", not_negative}),
   };
   return table;
 }
 
 std::optional<Problem> check(const Disc& disc) {
-  if (disc.hole > disc.radius) return Problem{"hole", "`hole` is larger than `radius`: nothing of the disc is left"};
+  if (disc.hole > disc.radius) return Problem{"hole", "`hole` is larger than `radius`: the disc is empty"};
   return std::nullopt;
 }
 

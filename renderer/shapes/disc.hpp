@@ -9,7 +9,7 @@ namespace rt::scene {
 /// and `radius` from the origin, both included.
 struct Disc {
   static constexpr std::string_view noun = "disc";
-  static constexpr std::string_view help = "a flat round face, with or without a hole";
+  static constexpr std::string_view help = "a flat disc, with or without a hole";
   Vec3 normal{0, 1, 0};
   double radius = 1;
   double hole = 0;

@@ -9,7 +9,7 @@ namespace rt::scene {
 /// `z: k`. As a solid it is the half-space on the side the normal points away from.
 struct Plane {
   static constexpr std::string_view noun = "plane";
-  static constexpr std::string_view help = "an endless flat surface; as a solid, the half-space behind it";
+  static constexpr std::string_view help = "an infinite flat surface; as a solid, the half-space behind it";
   std::optional<Vec3> normal; ///< +y if no form is specified
   std::optional<double> offset;
   std::optional<double> x, y, z;

@@ -8,9 +8,8 @@ namespace rt::scene {
 std::span<const Field> fields(const Polygon*) {
   static constexpr Constraint three_or_more{.min_count = 3};
   static constexpr Field table[] = {
-      field<&Polygon::points>("points",
-                              {"[[-0.5, 0, 0], [0.5, 0, 0], [0.5, 1, 0], [-0.5, 1, 0]]",
-                               "the corners, in order around it, in one plane; it closes itself", three_or_more}),
+      field<&Polygon::points>("points", {"[[-0.5, 0, 0], [0.5, 0, 0], [0.5, 1, 0], [-0.5, 1, 0]]",
+                                         "the corners in order, coplanar; closed automatically", three_or_more}),
   };
   return table;
 }

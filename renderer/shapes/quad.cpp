@@ -8,12 +8,12 @@ namespace rt::scene {
 std::span<const Field> fields(const Quad*) {
   static constexpr Constraint four{.min_count = 4, .max_count = 4};
   static constexpr Field table[] = {
-      field<&Quad::size>("size", {"1", "edge length of a square whose middle is at `at`", positive, 1}),
+      field<&Quad::size>("size", {"1", "edge length of a square centred at `at`", positive, 1}),
       field<&Quad::normal>("normal", {"[0, 1, 0]", "direction perpendicular to the square", nonzero, 1}),
       field<&Quad::corner>("corner", {"", "corner from which `edge_u` and `edge_v` start", any_value, 2}),
       field<&Quad::edge_u>("edge_u", {"", "one edge, as a vector", nonzero, 2}),
       field<&Quad::edge_v>("edge_v", {"", "the other edge, as a vector", nonzero, 2}),
-      field<&Quad::points>("points", {"", "the four corners, in order around it, in one plane", four, 3}),
+      field<&Quad::points>("points", {"", "the four corners in order, coplanar", four, 3}),
   };
   return table;
 }

@@ -8,7 +8,7 @@ namespace rt::scene {
 
 std::span<const Field> fields(const Sphere*) {
   static constexpr Field table[] = {
-      field<&Sphere::radius>("radius", {"1", "distance from the middle to the surface", positive}),
+      field<&Sphere::radius>("radius", {"1", "distance from the centre to the surface", positive}),
   };
   return table;
 }

@@ -9,7 +9,7 @@ namespace rt::scene {
 /// The points at `radius` from the origin of object space (its `at` is part of the placement).
 struct Sphere {
   static constexpr std::string_view noun = "sphere";
-  static constexpr std::string_view help = "a ball about its middle";
+  static constexpr std::string_view help = "a sphere around its centre";
   double radius = 1;
 };
 

@@ -12,7 +12,8 @@ std::span<const Field> fields(const Triangle*) {
   static constexpr Constraint none_or_three{.max_count = 3};
   static constexpr Field table[] = {
       field<&Triangle::points>("points", {"[[-0.5, 0, 0], [0.5, 0, 0], [0, 1, 0]]", "the three corners", three}),
-      field<&Triangle::normals>("normals", {"[]", "a normal for each corner, to look curved; or none", none_or_three}),
+      field<&Triangle::normals>("normals",
+                                {"[]", "a normal for each corner, for smooth shading; or none", none_or_three}),
   };
   return table;
 }

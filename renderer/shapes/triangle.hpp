@@ -10,7 +10,7 @@ namespace rt::scene {
 /// curved: each is transformed to the scene and normalised before interpolation.
 struct Triangle {
   static constexpr std::string_view noun = "triangle";
-  static constexpr std::string_view help = "a flat face with three corners, or one that looks curved";
+  static constexpr std::string_view help = "a flat or smooth-shaded triangle";
   std::array<Vec3, 3> points{Vec3{-0.5, 0, 0}, Vec3{0.5, 0, 0}, Vec3{0, 1, 0}};
   std::vector<Vec3> normals;
 };

@@ -45,7 +45,7 @@ std::string hit_text(const scene::Scene& scene, const HitReport& hit) {
 std::string place_text(const std::vector<HitReport>& hits, std::size_t i) {
   if (i == 0 || hits[i - 1].place != hits[i].place) return "";
   const auto first = std::ranges::find(hits, hits[i].place, &HitReport::place);
-  return fmt::format(", in one place with hit {}", first - hits.begin() + 1);
+  return fmt::format(", coincides with hit {}", first - hits.begin() + 1);
 }
 
 json material_json(const HitReport& hit) {
@@ -102,7 +102,7 @@ std::vector<HitReport> find_hits(const RayQuery& query, const Ray& ray, bool all
 std::string probe_text(const scene::Scene& scene, const NamedRay& ray, const std::vector<HitReport>& hits, bool all) {
   std::string text =
       fmt::format("{}: from {} along {}\n", ray.name, text_of(ray.ray.origin), text_of(ray.ray.direction));
-  if (hits.empty()) return text + "  hits nothing: the background is seen\n";
+  if (hits.empty()) return text + "  hits nothing: the background is visible\n";
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (all) text += fmt::format("hit {} of {}{}\n", i + 1, hits.size(), place_text(hits, i));
     text += hit_text(scene, hits[i]);

@@ -43,13 +43,13 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, std::
     ++p;
   }
   if (*p != '\0' || numbers.size() != count)
-    throw QuestionError(fmt::format("{} takes {} numbers with commas between them, not `{}`", option, count, text));
+    throw QuestionError(fmt::format("{} takes {} comma-separated numbers, not `{}`", option, count, text));
   return numbers;
 }
 
 void require_one_of(bool pixel, bool at, bool ray) {
   if (int{pixel} + int{at} + int{ray} != 1)
-    throw QuestionError("ask about one of --pixel X,Y, --at X,Y and --ray OX,OY,OZ DX,DY,DZ");
+    throw QuestionError("specify exactly one of --pixel X,Y, --at X,Y and --ray OX,OY,OZ DX,DY,DZ");
 }
 
 } // namespace
@@ -69,7 +69,7 @@ Question parse(const QuestionText& text) {
   if (!text.pixel.empty()) {
     const auto xy = numbers_of(text.pixel, 2, "--pixel");
     if (xy[0] != std::trunc(xy[0]) || xy[1] != std::trunc(xy[1]) || std::abs(xy[0]) > 1e9 || std::abs(xy[1]) > 1e9)
-      throw QuestionError("--pixel takes whole numbers; for a point between pixel centres there is --at");
+      throw QuestionError("--pixel takes integers; for a point between pixel centres use --at");
     q.pixel = {static_cast<int>(xy[0]), static_cast<int>(xy[1])};
   }
   if (text.sample >= 0) q.sample = text.sample;

@@ -95,7 +95,7 @@ private:
     std::span<const std::string_view> fields(line.words);
     fields = fields.subspan(1);
     if (options_.is_lenient && fields.size() > row->fields.size()) {
-      warn(place_of(fields[row->fields.size()]), fmt::format("what follows the fields of `{}` is left out", word));
+      warn(place_of(fields[row->fields.size()]), fmt::format("extra text after the fields of `{}` is ignored", word));
       fields = fields.first(row->fields.size());
     }
     auto values = read_fields(*row, fields, imported_.sources, place_of(line), imported_.diagnostics);
@@ -108,12 +108,13 @@ private:
   void refuse(const Line& line, const ElementRow* row) {
     const std::string_view word = line.words.front();
     if (!row && options_.is_lenient)
-      return warn(place_of(line), fmt::format("`{}` is no element of miniRT: left out", word));
-    const std::string_view form = is_older_ ? "the form of 2019, which `R` and small letters tell" : "the form of 2021";
+      return warn(place_of(line), fmt::format("`{}` is not a miniRT element: ignored", word));
+    const std::string_view form =
+        is_older_ ? "the 2019 format, recognised by `R` and lower-case letters" : "the 2021 format";
     const std::string_view known = is_older_ ? "R, A, c, l, sp, pl, sq, cy and tr" : "A, C, L, sp, pl and cy";
     add(errors::unknown_element(place_of(word),
                                 row ? fmt::format("`{}` does not belong to {}", word, form)
-                                    : fmt::format("`{}` is no element of miniRT", word),
+                                    : fmt::format("`{}` is not a miniRT element", word),
                                 fmt::format("this file is of {}, which has {}; --lenient {}", form, known,
                                             row ? "takes this one too" : "leaves this line out")));
   }
@@ -123,7 +124,7 @@ private:
       const double size = length(value.numbers);
       if (std::abs(size - 1) > 1e-3)
         warn(value.place, fmt::format("the direction of `{}` has length {:.4g}", row.spelling, size),
-             "it is taken as 1");
+             "it is normalised");
     }
     if (field.kind == FieldKind::angle && (value.numbers.x == 0 || value.numbers.x == 180)) {
       const double drawn = value.numbers.x == 0 ? 0.01 : 179.99;
@@ -158,7 +159,7 @@ private:
       require_one(Word::c, "camera (`c`)", true);
     } else {
       require_one(Word::C, "camera (`C`)");
-      if (!options_.is_lenient) allow_one(Word::L, "lamp (`L`)", "the bonus part allows more: --lenient takes them");
+      if (!options_.is_lenient) allow_one(Word::L, "lamp (`L`)", "the bonus part allows more: --lenient accepts them");
     }
   }
 

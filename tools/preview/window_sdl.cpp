@@ -32,11 +32,11 @@ public:
     SDL_SetMainReady();
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("there is no screen");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display is available");
     const std::string_view driver = SDL_GetCurrentVideoDriver();
     if (driver == "offscreen" || driver == "dummy") {
       SDL_Quit();
-      throw NoWindow(fmt::format("there is no screen{}", instead));
+      throw NoWindow(fmt::format("no display is available{}", instead));
     }
     wake_ = SDL_RegisterEvents(1);
     SDL_Rect room{0, 0, size[0], size[1]};
@@ -71,7 +71,7 @@ public:
       SDL_DestroyTexture(texture_);
       texture_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, pixels.width,
                                    pixels.height);
-      if (!texture_) fail("the window takes no picture");
+      if (!texture_) fail("cannot create the window's texture");
       texture_width_ = pixels.width;
       texture_height_ = pixels.height;
     }
@@ -147,7 +147,7 @@ private:
     const double fraction = viewer_.fraction();
     std::string title = host_.name;
     if (is_wrong_)
-      title += " (the text is wrong)";
+      title += " (the scene has errors)";
     else if (fraction < 1)
       title += fmt::format(" ({} %)", static_cast<int>(fraction * 100));
     if (title == title_) return;

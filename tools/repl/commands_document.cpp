@@ -80,7 +80,7 @@ bool text(Shell& shell, std::string_view) {
 bool explain_properties(Shell& shell, std::string_view name) {
   const std::vector<std::string> properties = shell.session().properties_of(name);
   if (properties.empty())
-    return shell.fail(fmt::format("`{}` is no thing of the scene; as in `:set ball.radius 2`", name));
+    return shell.fail(fmt::format("there is no thing `{}` in the scene; for example `:set ball.radius 2`", name));
   shell.print(fmt::format("{} takes {}: as in `:set {}.{} VALUE`\n", name, fmt::join(properties, ", "), name,
                           properties.front()));
   return true;
@@ -105,11 +105,10 @@ bool explain_target(Shell& shell, std::string_view target) {
   const auto parameter = def ? def->find(program.symbols.find(property)) : std::nullopt;
   if (!parameter) return explain_properties(shell, name);
   const lang::NodeId otherwise = def->parameters[*parameter].default_value;
-  shell.print(
-      fmt::format("{}: a parameter of {}, {}\n", target, program.symbols.name(def->name),
-                  otherwise == lang::no_node
-                      ? "which must be given"
-                      : fmt::format("{} unless it is given", program.sources.text(def->unit->ast.span(otherwise)))));
+  shell.print(fmt::format("{}: a parameter of {}, {}\n", target, program.symbols.name(def->name),
+                          otherwise == lang::no_node
+                              ? "which must be given"
+                              : fmt::format("default {}", program.sources.text(def->unit->ast.span(otherwise)))));
   return true;
 }
 
@@ -140,14 +139,13 @@ std::string deed(Shell& shell, std::size_t version) {
 bool undo(Shell& shell, std::string_view) {
   const std::size_t undone = shell.session().version();
   if (!shell.session().undo()) return shell.fail("there is nothing to undo");
-  shell.print(dim(fmt::format("took back: {}", deed(shell, undone)), shell.output().uses_color) + "\n");
+  shell.print(dim(fmt::format("undone: {}", deed(shell, undone)), shell.output().uses_color) + "\n");
   return true;
 }
 
 bool redo(Shell& shell, std::string_view) {
   if (!shell.session().redo()) return shell.fail("there is nothing to redo");
-  shell.print(dim(fmt::format("did again: {}", deed(shell, shell.session().version())), shell.output().uses_color) +
-              "\n");
+  shell.print(dim(fmt::format("redone: {}", deed(shell, shell.session().version())), shell.output().uses_color) + "\n");
   return true;
 }
 
@@ -207,7 +205,7 @@ bool save(Shell& shell, std::string_view arguments) {
   const std::vector<std::string> words = words_of(arguments);
   if (words.size() > 1) return shell.fail("as in `:save scene.rtl`");
   std::string path = words.empty() ? shell.path() : words[0];
-  if (path.empty()) return shell.fail("under which name? as in `:save scene.rtl`");
+  if (path.empty()) return shell.fail("give a file name, as in `:save scene.rtl`");
   if (!words.empty() && path.find('.', path.rfind('/') + 1) == std::string::npos) path += ".rtl";
   try {
     replace_file(path, shell.session().formatted());

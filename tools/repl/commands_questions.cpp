@@ -229,7 +229,7 @@ bool time(Shell& shell, std::string_view arguments) {
     return is_fine;
   }
   const lang::SessionCounters& counters = shell.session().counters();
-  shell.print(fmt::format("{:.1f} ms for the last input; since the beginning {} statements parsed, {} evaluated\n",
+  shell.print(fmt::format("{:.1f} ms for the last input; {} statements parsed and {} evaluated in this session\n",
                           shell.last_seconds() * 1e3, counters.statements_parsed, counters.statements_evaluated));
   return true;
 }

@@ -49,9 +49,9 @@ std::string inputs_text(const AbandonedSession& session) {
 std::string offer(const std::vector<AbandonedSession>& sessions) {
   if (sessions.empty()) return "";
   if (sessions.size() == 1)
-    return fmt::format("A session of {:%Y-%m-%d %H:%M} was not saved ({}): :recover brings it back.\n",
+    return fmt::format("The session of {:%Y-%m-%d %H:%M} was not saved ({}): :recover restores it.\n",
                        fmt::localtime(sessions[0].time), inputs_text(sessions[0]));
-  std::string text = fmt::format("{} sessions were not saved; :recover N brings one back:\n", sessions.size());
+  std::string text = fmt::format("{} sessions were not saved; :recover N restores one:\n", sessions.size());
   for (std::size_t i = 0; i < sessions.size(); ++i)
     text += fmt::format("  {}  {:%Y-%m-%d %H:%M}, {}, the last: {}\n", i + 1, fmt::localtime(sessions[i].time),
                         inputs_text(sessions[i]), lang::shortened(sessions[i].entries.back()));

@@ -134,7 +134,7 @@ bool Shell::recover(std::size_t number) {
                                     [this](const std::string& entry) { return run(entry); });
   output_.print = print_answers;
   if (!are_fine)
-    return fail(fmt::format("the session continues with what came before; its journal is kept in {}", session.path));
+    return fail(fmt::format("the session continues from before that input; its journal is kept in {}", session.path));
   std::filesystem::remove(session.path, error);
   print(dim(fmt::format("{} {} restored", session.entries.size(), session.entries.size() == 1 ? "input" : "inputs"),
             output_.uses_color) +

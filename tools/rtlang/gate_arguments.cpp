@@ -19,7 +19,7 @@ void set_gates(const std::vector<std::string>& given, const std::vector<NamedNum
     if (found == known.end()) {
       std::string names;
       for (const NamedNumber& n : known) names += (names.empty() ? "" : ", ") + std::string(n.name);
-      throw UsageError(fmt::format("there is no gate `{}`, only {}", name, names));
+      throw UsageError(fmt::format("unknown gate `{}`; the gates are {}", name, names));
     }
     const auto result = std::from_chars(value.data(), value.data() + value.size(), *found->value);
     if (result.ec != std::errc() || result.ptr != value.data() + value.size())

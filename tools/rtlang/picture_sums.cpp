@@ -56,7 +56,7 @@ SumsLabel label_of(const Image& image, const std::string& path) {
   SumsLabel label;
   label.samples_hash = value_of(image, hash_key);
   if (image.sums.empty() || label.samples_hash.empty())
-    throw UsageError(fmt::format("`{}` has no sums that more could be added to: make it with --sums or --part", path));
+    throw UsageError(fmt::format("`{}` has no sums to add to: render it with --sums or --part", path));
   const std::string parts = value_of(image, parts_key), exposure = value_of(image, exposure_key);
   for (std::string_view rest = parts; !rest.empty();) {
     const std::string_view word = rest.substr(0, rest.find(' '));

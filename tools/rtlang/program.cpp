@@ -158,7 +158,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const std::bad_alloc&) {
     struct rusage usage {};
     ::getrusage(RUSAGE_SELF, &usage);
-    print_error(fmt::format("rtlang: there is not enough memory: {}B were in use\n",
+    print_error(fmt::format("rtlang: out of memory: {}B were in use\n",
                             human(1024 * static_cast<double>(usage.ru_maxrss)))); // in KiB on Linux
   } catch (const std::system_error& error) {
     // It was waiting for a file that is a pipe.

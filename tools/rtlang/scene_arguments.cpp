@@ -102,12 +102,11 @@ std::shared_ptr<SceneArguments> add_scene_arguments(CLI::App& app) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_flag("-q,--quiet", arguments->is_quiet, "reports only errors and warnings");
-  app.add_option("--include-root", options.include_roots, "another folder that includes may read from")
+  app.add_option("--include-root", options.include_roots, "an additional folder that includes may read from")
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->group(further_options);
-  app.add_flag("--lenient", arguments->import.is_lenient,
-               "takes common forms of another program's scene that its format does not have")
+  app.add_flag("--lenient", arguments->import.is_lenient, "accepts common extensions of another program's scene format")
       ->group(further_options);
   const lang::Limits defaults;
   add_limit(app, "--max-steps", "N", options.limits.steps, 1000,
@@ -189,12 +188,13 @@ std::shared_ptr<live::PictureSettings> add_picture_arguments(CLI::App& app) {
         ->check([field](const std::string& value) { return live::PictureSettings().set(field, value); });
   };
   add("--size", "size", "WxH", "overrides the scene's width and height");
-  add("--mode", "mode", "NAME", "how light is followed: whitted, path or occlusion");
-  add("--samples", "samples", "N", "rays per pixel: in whitted a square number");
-  add("--noise", "noise", "N", "but in whitted: goes on until the picture is as quiet as this")->group(further_options);
-  add("--seed", "seed", "N", "but in whitted: another picture, as good")->group(further_options);
+  add("--mode", "mode", "NAME", "rendering mode: whitted, path or occlusion");
+  add("--samples", "samples", "N", "samples per pixel; in whitted mode a square number");
+  add("--noise", "noise", "N", "not in whitted mode: samples until the noise is below N")->group(further_options);
+  add("--seed", "seed", "N", "not in whitted mode: random seed")->group(further_options);
   add("--max-depth", "max_depth", "N", "limit on successive reflections and refractions");
-  add("--min-weight", "min_weight", "W", "how far weak rays that are left out may move a pixel, of white; 0: none is")
+  add("--min-weight", "min_weight", "W",
+      "how much untraced weak rays may change a pixel, as a fraction of white; 0 traces all")
       ->group(further_options);
   return settings;
 }

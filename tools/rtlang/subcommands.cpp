@@ -7,12 +7,13 @@ std::span<const Subcommand> subcommands() {
   static constexpr Subcommand table[] = {
       {"render", "SCENE [-o PICTURE]... [OPTIONS]", "renders a picture (the command name may be omitted)",
        declare_render},
-      {"merge", "PARTS... -o PICTURE", "adds up the parts of a picture (see --part)", declare_merge},
-      {"view", "SCENE [OPTIONS]", "shows a picture in a window, and follows the file", declare_view},
+      {"merge", "PARTS... -o PICTURE", "combines the parts of a picture (see --part)", declare_merge},
+      {"view", "SCENE [OPTIONS]", "shows a picture in a window, and reloads the file when it changes", declare_view},
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
       {"scene", "SCENE [OPTIONS]", "prints the scene description as JSON", declare_scene},
       {"export", "SCENE [-o FILE] [OPTIONS]", "exports the scene to POV-Ray 3.7", declare_export},
-      {"convert", "FILE [-o SCENE]", "writes another program's scene (miniRT .rt) in our language", declare_convert},
+      {"convert", "FILE [-o SCENE]", "converts another program's scene (miniRT .rt) to rtlang's language",
+       declare_convert},
       {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures the difference between two pictures", declare_diff},
       {"probe", "SCENE --pixel X,Y [OPTIONS]", "shows what a ray hits: object, distance, normal, material",
@@ -23,7 +24,7 @@ std::span<const Subcommand> subcommands() {
       {"fmt", "FILES... [--check]", "formats scenes in the standard style", declare_fmt},
       {"doc", "[NAME]", "explains a thing, property or function of the language", declare_doc},
       {"repl", "[SCENE] [--keep-going]", "builds a scene interactively (the default without arguments)", declare_repl},
-      {"lsp", "[OPTIONS]", "serves editors: errors as you type, completion, definitions", declare_lsp},
+      {"lsp", "[OPTIONS]", "language server: errors as you type, completion, definitions", declare_lsp},
       {"explain", "[CODE]", "explains an error code, or lists all of them", declare_explain},
   };
   return table;

@@ -34,7 +34,7 @@ void name_of_another_language(CheckContext& context, Span place, Symbol name, co
 
 void unquoted_string(CheckContext& context, Span place, Symbol name) {
   not_known(context, place, fmt::format("unknown name `{}`", context.name(name)),
-            fmt::format("a string stands in quotes: '\"{}\"'", context.name(name)));
+            fmt::format("a string is written in quotes: '\"{}\"'", context.name(name)));
 }
 
 void name_bound_twice(CheckContext& context, Symbol name, Span first, Span second) {

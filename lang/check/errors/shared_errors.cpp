@@ -15,16 +15,17 @@ Diagnostic no_property(Span place, std::string message, std::string label, std::
 }
 
 Diagnostic property_set_twice(Span place, std::string_view name, Span first) {
-  return make_error("E0205", place, fmt::format("`{}` is written twice", name), {}, {{first, "first here"}});
+  return make_error("E0205", place, fmt::format("`{}` is set twice", name), {}, {{first, "first here"}});
 }
 
 Diagnostic two_forms(Span place, std::string_view name, Span other_place, std::string_view other) {
-  return make_error("E0206", place, fmt::format("`{}` and `{}` are two ways to say the same", other, name),
+  return make_error("E0206", place, fmt::format("`{}` and `{}` are alternatives: use only one of them", other, name),
                     "leave one of them out", {{other_place, "the other one is here"}});
 }
 
 Diagnostic called_thing(Span place, std::string_view thing, std::string label) {
-  return make_error("E0209", place, fmt::format("{} is a thing, and things take braces", thing), std::move(label));
+  return make_error("E0209", place, fmt::format("{} is a thing, and its properties are written in braces", thing),
+                    std::move(label));
 }
 
 Diagnostic no_thing(Span place, std::string message, std::string label) {

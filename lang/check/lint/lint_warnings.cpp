@@ -7,7 +7,7 @@
 namespace rt::lang::warnings {
 namespace {
 
-constexpr const char* take_out = "if it is not needed, take it out";
+constexpr const char* take_out = "if it is not needed, remove it";
 
 void never_placed(Report& report, Span place, std::string_view word, std::string label, std::string advice) {
   report.remark(lint_rule::never_placed.code, place, fmt::format("`{}` is bound and never placed", word),
@@ -22,7 +22,7 @@ void never_used(Report& report, Span place, std::string_view word, std::string l
 void unused_parameter(Report& report, Span place, std::string_view word) {
   if (word.starts_with('_')) return;
   report.remark(lint_rule::unused_parameter.code, place, fmt::format("the parameter `{}` is never used", word),
-                "whatever is passed changes nothing",
+                "the value passed has no effect",
                 {{std::nullopt, fmt::format("write `{0}` where its value is meant; if it must be there for its place, "
                                             "call it `_{0}`",
                                             word)}});
@@ -54,7 +54,7 @@ void unused(Report& report, const Declaration& declaration, const SymbolTable& s
     return never_used(report, place, word, "setting it changes nothing",
                       fmt::format("write `{}` where its value is meant", word));
   case Declaration::What::module:
-    return never_used(report, place, word, "nothing of this file is used", take_out);
+    return never_used(report, place, word, "nothing from this file is used", take_out);
   case Declaration::What::parameter:
     return unused_parameter(report, place, word);
   case Declaration::What::local:
@@ -88,7 +88,7 @@ void turns_in_pi(Report& report, Span place) {
 void narrow_angle(Report& report, Span place, double number, double as_radians) {
   looks_like_radians(
       report, place,
-      fmt::format("{0:g} degrees are hardly open at all; {0:g} radians would be `{1:.3g}`", number, as_radians));
+      fmt::format("an angle of {0:g} degrees is very narrow; {0:g} radians would be `{1:.3g}`", number, as_radians));
 }
 
 } // namespace rt::lang::warnings

@@ -84,7 +84,7 @@ private:
     if (!text.starts_with(mark)) return wanted;
     text = trim(text.substr(mark.size()));
     if (!text.starts_with(verb)) {
-      complain(span, "a comment for the lint says `lint: allow` and what", "write `// lint: allow NAME`");
+      complain(span, "a lint comment is `lint: allow NAME`", "write `// lint: allow NAME`");
       return wanted;
     }
     text = trim(text.substr(verb.size()));
@@ -93,8 +93,7 @@ private:
       wanted.is_for_file = true;
       text = trim(text.substr(0, text.size() - everywhere.size()));
     }
-    if (text.empty())
-      complain(span, "this comment does not say which of the lint's rules it is about", "write `// lint: allow NAME`");
+    if (text.empty()) complain(span, "this comment does not name a lint rule", "write `// lint: allow NAME`");
     while (!text.empty()) {
       const std::size_t end = std::min(text.find_first_of(", \t"), text.size());
       const std::string_view word = text.substr(0, end);
@@ -110,7 +109,7 @@ private:
       for (const LintRule& rule : lint_rules()) names.push_back(rule.name);
       const auto guess = nearest(word, names);
       complain({span.file, begin, static_cast<std::uint32_t>(begin + word.size())},
-               fmt::format("the lint has no rule `{}`", word),
+               fmt::format("there is no lint rule `{}`", word),
                guess ? fmt::format("did you mean `{}`?", *guess) : "`rtlang lint --rules` lists them");
     }
     return wanted;

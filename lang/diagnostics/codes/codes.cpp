@@ -61,8 +61,8 @@ std::string explain(const Code& code) {
       scene.remove_prefix(std::min(end + 1, scene.size()));
     }
   };
-  append("This raises it:", code.example);
-  append("Mended:", code.mended);
+  append("Example that causes it:", code.example);
+  append("Fixed:", code.mended);
   return text;
 }
 

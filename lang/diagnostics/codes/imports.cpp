@@ -14,12 +14,11 @@ std::span<const Code> imports() {
        "The word at the beginning of the line names no element of the format, or one of another version of it. With "
        "`--lenient` the common ones among them are taken, and lines with others are left out.",
        "", ""},
-      {"E0803", "An element of another program's scene is missing, or there twice",
+      {"E0803", "An element of another program's scene is missing or duplicated",
        "The format says how many elements of this kind a file has.", "", ""},
-      {"N0801", "Something of another program's scene is taken otherwise",
-       "The format allows what stands there, but it cannot be taken as it stands, or would be understood differently "
-       "by "
-       "other programs. The message says what was made of it.",
+      {"N0801", "Part of another program's scene is interpreted differently",
+       "The format allows this, but it cannot be represented exactly, or other programs interpret it differently. The "
+       "message says how it was interpreted.",
        "", ""},
   };
   return table;

@@ -6,7 +6,7 @@ namespace rt::lang::codes {
 
 std::span<const Code> lint() {
   static const std::vector<Code> table = {
-      {"W0001", "A comment for the lint that it does not understand",
+      {"W0001", "A malformed lint comment",
        "A comment `// lint: allow NAME` keeps the lint silent about one line: its own or, if it stands alone, the next "
        "one; with "
        "`in this file` behind the names, about the whole file. NAME is a rule's name or code; `rtlang lint --rules` "
@@ -31,7 +31,7 @@ std::span<const Code> lint() {
        "`_`.",
        "def post(height) { cylinder { height: 2 } }\npost { height: 3 }",
        "def post(height) { cylinder { height: height } }\npost { height: 3 }"},
-      {"W0104", "Radians where degrees are meant",
+      {"W0104", "Radians where degrees are expected",
        "Angles are degrees everywhere: in `rotate`, `fov`, the angles of a spot, and in `sin`, `cos` and `tan`. This "
        "one has pi in it, "
        "is a well-known angle in radians to some decimals, or is a fraction that opens a camera or spot by three "
@@ -43,18 +43,18 @@ std::span<const Code> lint() {
        "later reader will "
        "not expect.",
        "box = 2\nsphere { radius: box }", "half = 2\nsphere { radius: half }"},
-      {"W0106", "A transparent solid that does not bend light",
+      {"W0106", "A transparent solid that does not refract light",
        "`ior`, the index of refraction, is 1 unless it is written, so that light goes straight through a solid with "
        "`refract` and it "
        "looks like coloured air, not like glass. Where that is meant, write `ior: 1`.",
        "sphere { material: material { refract: 0.9 } }", "sphere { material: material { refract: 0.9, ior: 1.5 } }"},
-      {"W0201", "The camera is inside of a solid",
-       "The camera stands inside of a transparent solid, or inside of an opaque one and sees nothing else. A room is "
+      {"W0201", "The camera is inside a solid",
+       "The camera is inside a transparent solid, or inside an opaque one and sees nothing else. A room is "
        "no mistake: an "
        "opaque solid with things or a light in it. Planes do not count.",
        "sphere { radius: 5 }\ncamera { at: [0, 0, 3] }\nsun {}",
        "sphere { radius: 2 }\ncamera { at: [0, 0, 6] }\nsun {}"},
-      {"W0202", "A light is inside of an opaque solid",
+      {"W0202", "A light is inside an opaque solid",
        "No light leaves an opaque solid that casts a shadow. For a lamp that can be seen, give the solid "
        "`casts_shadow: false`, and "
        "`emission` so that it is bright itself. A room that the camera is in, too, is no mistake.",
@@ -72,8 +72,8 @@ std::span<const Code> lint() {
        "sphere { at: [0, 0, 9] }\ncamera { at: [0, 0, 4], look_at: [0, 0, 0] }\nsun {}",
        "sphere { at: [0, 0, 0] }\ncamera { at: [0, 0, 4], look_at: [0, 0, 0] }\nsun {}"},
       {"W0205", "Two opaque surfaces coincide",
-       "Two opaque surfaces lie exactly in each other, and look different. Only the one that is placed first is seen. "
-       "Move one of them by a little, or place the one that is to be seen first.",
+       "Two opaque surfaces coincide exactly, and look different. Only the one that is placed first is seen. Move one "
+       "of them by a little, or place the one that is to be seen first.",
        "box { from: [-3, -1, -3], to: [3, 0, 3], material: green }\nbox { from: [-1, -1, -1], to: [1, 0, 1], material: "
        "red }\n"
        "camera { at: [0, 4, 6], look_at: [0, 0, 0] }\nsun {}",
@@ -87,7 +87,7 @@ std::span<const Code> lint() {
        "plane { y: -1 }\nsphere { radius: 0.0002 }\ncamera { at: [0, 1, 6], look_at: [0, 0, 0] }\nsun {}",
        "plane { y: -1 }\nsphere { radius: 0.2 }\ncamera { at: [0, 1, 6], look_at: [0, 0, 0] }\nsun {}"},
       {"W0207", "A thing is hidden by another",
-       "What this line places lies wholly inside of an opaque solid, or wholly behind an infinite plane, so that no "
+       "What this line places is entirely inside an opaque solid, or entirely behind an infinite plane, so that no "
        "ray of the "
        "picture can reach it. What only stands behind something else is not warned of.",
        "plane { y: 0, material: peru }\nsphere { at: [0, -3, 0] }\nbox { at: [0, 1, 0] }\ncamera { at: [0, 2, 8], "
@@ -95,27 +95,25 @@ std::span<const Code> lint() {
        "plane { y: 0, material: peru }\nsphere { at: [3, 1, 0] }\nbox { at: [0, 1, 0] }\ncamera { at: [0, 2, 8], "
        "look_at: [0, 1, 0] }\nsun {}"},
       {"W0208", "Transparent solids overlap",
-       "Two transparent solids with different surroundings share a part of space and neither holds the other. A ray in "
-       "that part is in "
-       "both, and bends as if it were in the one that it entered last. Make one solid of them with `|`, cut one out of "
+       "Two transparent solids with different media overlap and neither contains the other. A ray in the overlap is in "
+       "both, and refracts as if it were in the one entered last. Make one solid of them with `|`, cut one out of "
        "the other with "
        "`-`, or put one wholly into the other.",
        "sphere { material: glass }\nsphere { at: [1, 0, 0], material: water }\ncamera { at: [0, 0, 8] }\nsun {}",
        "sphere { material: glass }\nsphere { at: [3, 0, 0], material: water }\ncamera { at: [0, 0, 8] }\nsun {}"},
-      {"W0209", "A scale of almost nothing",
-       "The transform makes the thing less than a millionth as large as it was, all of it or along one direction. "
-       "Where that is meant, "
+      {"W0209", "A scale of almost zero",
+       "The transform shrinks the thing to less than a millionth of its size, overall or along one direction. Where "
+       "that is meant, "
        "there are shapes for it: a `disc`, a `quad`.",
        "sphere { scale: [1, 0.0000001, 1] }", "sphere { scale: [1, 0.1, 1] }"},
       {"W0301", "A light that reaches nothing",
-       "Nothing that the picture shows gets any of this light. The note says why: it is in the way of every ray, a "
-       "spot points past "
-       "everything, the surfaces face the other way, or there is nothing to give.",
+       "Nothing visible in the picture is lit by this light. The note says why: every ray to it is blocked, a spot "
+       "points past everything, the surfaces face away, or it emits nothing.",
        "plane { y: 0 }\nsphere { at: [0, 1, 0] }\nlight { at: [0, -4, 0] }\ncamera { at: [0, 2, 8], look_at: [0, 1, 0] "
        "}",
        "plane { y: 0 }\nsphere { at: [0, 1, 0] }\nlight { at: [0, 9, 4] }\ncamera { at: [0, 2, 8], look_at: [0, 1, 0] "
        "}"},
-      {"W0302", "All that is seen is black",
+      {"W0302", "Everything visible is black",
        "Every surface that the picture shows is black. Without a light, `ambient` or `emission` there is nothing to "
        "see them by.",
        "sphere {}\nambient: 0\ncamera { at: [0, 0, 6] }",

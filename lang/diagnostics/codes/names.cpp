@@ -6,9 +6,9 @@ namespace rt::lang::codes {
 
 std::span<const Code> names() {
   static const std::vector<Code> table = {
-      {"E0201", "A name is not known",
-       "Nothing is called that: no name bound with `=` before this line, no `def` or `fn` of this block or one around "
-       "it, no thing, function or colour of the language. Names are case-sensitive.",
+      {"E0201", "An unknown name",
+       "There is no such name: none bound with `=` before this line, no `def` or `fn` in this block or an enclosing "
+       "one, no thing, function or colour of the language. Names are case-sensitive.",
        "wood = material { color: peru }\nsphere { material: wod }",
        "wood = material { color: peru }\nsphere { material: wood }"},
       {"E0202", "A name is bound twice",
@@ -25,9 +25,9 @@ std::span<const Code> names() {
        "material, "
        "and a value to be kept for later is bound with `=`, not `:`.",
        "sphere { raduis: 2 }", "sphere { radius: 2 }"},
-      {"E0205", "A property is written twice", "A block says each property once. Leave out the one that is not meant.",
+      {"E0205", "A property is set twice", "A block says each property once. Leave out the one that is not meant.",
        "sphere { radius: 1, radius: 2 }", "sphere { radius: 2 }"},
-      {"E0206", "A thing is described in two ways at once",
+      {"E0206", "A thing is described in two alternative ways at once",
        "Some things can be written in more than one form: a plane by `normal` and `offset`, or by `y`. One block uses "
        "one "
        "form. (A copy with changes may use another one than its original: that drops what the other form said.)",
@@ -44,12 +44,12 @@ std::span<const Code> names() {
        "Braces describe a thing, parentheses compute. A thing is copied with changes by the properties in its block, "
        "and that holds for what a `def` makes too.",
        "sphere(2)", "sphere { radius: 2 }"},
-      {"E0210", "A function is no thing",
+      {"E0210", "A function is not a thing",
        "Only a thing can be followed by a block. A function takes its arguments in parentheses, and a chain method "
        "such "
        "as `rotate` stands behind a thing, after a dot.",
        "rotate(y: 30)\nbox {}", "box {}.rotate(y: 30)"},
-      {"E0211", "A parameter is called like a property of every thing",
+      {"E0211", "A parameter has the name of a common property",
        "`at`, `rotate`, `scale`, `material`, `name`, `visible` and `casts_shadow` say where and how the thing stands "
        "that a "
        "`def` makes. A parameter of that name would hide them.",
@@ -60,7 +60,7 @@ std::span<const Code> names() {
        "property "
        "that was written for a thing, or a chain method such as `.move(…)`.",
        "p = [1, 2, 3]\nsphere { radius: p.w }", "p = [1, 2, 3]\nsphere { radius: p.z }"},
-      {"E0213", "A property stands where there is no thing",
+      {"E0213", "A property is set where there is no thing",
        "`name: value` sets a property of the thing whose block it stands in. In a function there is no such thing; a "
        "name is bound with `=`.",
        "fn area(r) {\n  square: r * r\n  pi * square\n}\nsphere { radius: area(1) }",
@@ -75,11 +75,11 @@ std::span<const Code> names() {
        "itself "
        "as a value.",
        "if 1 < 2 { r = 1 }\nsphere { radius: r }", "r = if 1 < 2 { 1 } else { 2 }\nsphere { radius: r }"},
-      {"E0216", "A parameter of the scene stands inside a block",
+      {"E0216", "A `param` is inside a block",
        "`param` declares what the command line may set with `-D name=value`; it stands at the top level of the scene.",
        "def post() { param length = 2\n  cylinder { height: length } }\npost {}",
        "param length = 2\ndef post() { cylinder { height: length } }\npost {}"},
-      {"E0217", "An expectation stands inside a thing",
+      {"E0217", "An `expect` is inside a thing",
        "`expect` says something about the scene as a whole, so it stands at the top level, or in a `for` or `if` "
        "there: not in "
        "a thing, a `def` or a function.",

@@ -17,12 +17,11 @@ std::span<const Code> remarks() {
        "sphere {}\ncamera { at: [0, 1, 6] }", "sphere {}\ncamera { at: [0, 1, 6] }\nsun { direction: [-1, -2, -1.5] }"},
       {"N0003", "A range is empty",
        "A range runs upwards unless its step is negative, so this one has no elements. If it is to count down, write "
-       "`by -1`; if it may be empty, all is well.",
+       "`by -1`; if it may be empty, nothing is wrong.",
        "for i in 3..1 { sphere { at: [i, 0, 0] } }\nsphere {}",
        "for i in 3..1 by -1 { sphere { at: [i, 0, 0] } }\nsphere {}"},
       {"N0004", "Something is printed",
-       "`print(x)` tells the value and the place on standard error, each time that it is evaluated, and places "
-       "nothing. "
+       "`print(x)` writes the value and the place to standard error each time it is evaluated, and places nothing. "
        "It is there for trying things out.",
        "print(2 + 3)\nsphere {}", "sphere {}"},
       {"N0005", "A comment that looks like a division",

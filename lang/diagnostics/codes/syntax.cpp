@@ -18,7 +18,7 @@ std::span<const Code> syntax() {
        "Every `(`, `[` and `{` needs its partner. The message points at the bracket that was opened; for braces "
        "the indentation of the lines helps to tell which one was forgotten.",
        "sphere { at: [1, 2, 3 }", "sphere { at: [1, 2, 3] }"},
-      {"E0104", "A closing bracket has no partner",
+      {"E0104", "An unmatched closing bracket",
        "This bracket closes nothing, or a bracket of another kind is open. Look for a bracket too many, or for "
        "one of the wrong kind.",
        "sphere { at: [1, 2, 3) }", "sphere { at: [1, 2, 3] }"},
@@ -76,7 +76,7 @@ std::span<const Code> syntax() {
        "sphere {\n"
        "  radius: 2\n"
        "}"},
-      {"E0116", "An `else` stands apart from its `if`",
+      {"E0116", "An `else` is not on the line of its `if` block's brace",
        "`else` stands on the line of the brace that closes the block before it, because a new line begins a new "
        "item.",
        "big = true\n"
@@ -106,7 +106,7 @@ std::span<const Code> syntax() {
        "a = true\n"
        "b = false\n"
        "if a and b { sphere {} }"},
-      {"E0120", "A reserved word serves as a name",
+      {"E0120", "A reserved word is used as a name",
        "These words belong to the language and cannot name anything: and, or, not, if, else, for, in, by, def, "
        "fn, use, as, include, param, true, false, none, expect.",
        "by = 3\n"
@@ -153,7 +153,7 @@ std::span<const Code> syntax() {
        "`for x in xs { … }` goes through the elements of a list or a range; `for i, x in xs { … }` counts them "
        "as well.",
        "for x of [1, 2] { sphere { radius: x } }", "for x in [1, 2] { sphere { radius: x } }"},
-      {"E0129", "`=>` and a function's name do not go together",
+      {"E0129", "`=>` cannot follow a function's name",
        "A function inside an expression has no name and an arrow: `fn (x) => x * x`. A declared function has a "
        "name and `=`, or a block: `fn square(x) = x * x`.",
        "square = (x) => x * x\n"
@@ -161,19 +161,19 @@ std::span<const Code> syntax() {
        "fn square(x) = x * x\n"
        "sphere { radius: square(2) }"},
       {"E0130", "The parameters are missing",
-       "After the name of a `def` or `fn` stand its parameters in parentheses, `()` where there are none.",
+       "After the name of a `def` or `fn` stand its parameters in parentheses, `()` if there are none.",
        "def ball { sphere {} }\n"
        "ball {}",
        "def ball() { sphere {} }\n"
        "ball {}"},
-      {"E0131", "`not` stands after a tighter operator",
+      {"E0131", "`not` follows an operator of higher precedence",
        "`not` binds looser than comparisons and arithmetic, as in \"not equal to\": `not a == b` is `not (a == "
        "b)`. After such an operator it stands in parentheses.",
        "a = true\n"
        "if a == not false { sphere {} }",
        "a = true\n"
        "if a == (not false) { sphere {} }"},
-      {"E0132", "A record holds properties only",
+      {"E0132", "A record contains properties only",
        "`{ name: value }` on its own is a record: names with values. A list is written in square brackets.",
        "point = { x: 1, 2 }\n"
        "sphere { radius: point.x }",
@@ -213,7 +213,7 @@ std::span<const Code> syntax() {
        "ball {}",
        "def ball(r = 1) { sphere { radius: r } }\n"
        "ball {}"},
-      {"E0138", "`by` stands without a range", "`by` gives the step of a range: `0..10 by 2` is 0, 2, 4, 6, 8, 10.",
+      {"E0138", "`by` without a range", "`by` gives the step of a range: `0..10 by 2` is 0, 2, 4, 6, 8, 10.",
        "for x in [1, 2, 3] by 2 { sphere { radius: x } }", "for x in 1..3 by 2 { sphere { radius: x } }"},
       {"E0139", "An `expect` is malformed",
        "`expect query hits thing at t value within tolerance`, `expect query misses thing`, `expect value ~ value "

@@ -6,7 +6,7 @@ namespace rt::lang::codes {
 
 std::span<const Code> things() {
   static const std::vector<Code> table = {
-      {"E0401", "What is open cannot be combined",
+      {"E0401", "An open shape cannot be combined",
        "`|`, `&` and `-` need solids, things with an inside. A disc, a triangle, a quad, a polygon and an open "
        "cylinder or cone "
        "have none. A thin box serves as a plate with an inside, and a cylinder without `open: true` is a solid.",
@@ -14,14 +14,14 @@ std::span<const Code> things() {
       {"E0402", "A light cannot be combined",
        "Combinations are made of solids. A light that is to move with them stands beside them in a `group`.",
        "union { sphere {}\n light { at: [0, 2, 0] } }", "group { sphere {}\n light { at: [0, 2, 0] } }"},
-      {"E0403", "A camera stands inside a thing",
+      {"E0403", "A camera is inside a thing",
        "The camera belongs to the scene as a whole: it stands at the top level, and moves with no group.",
        "group { sphere {}\n camera { at: [0, 0, 5] } }", "sphere {}\ncamera { at: [0, 0, 5] }"},
       {"E0404", "There is a second camera",
        "A picture is taken from one place. Keep the other views under names, `above = camera { … }`, and place one.",
        "sphere {}\ncamera { at: [0, 0, 5] }\ncamera { at: [5, 0, 0] }",
        "sphere {}\nfront = camera { at: [0, 0, 5] }\nside = camera { at: [5, 0, 0] }\nfront"},
-      {"E0405", "A thing is put into one that takes none",
+      {"E0405", "A thing is put into one that cannot contain things",
        "`group`, `union`, `intersection` and `difference` hold things. The block of anything else holds its "
        "properties; "
        "what a `def` makes is filled by its body alone.",
@@ -31,7 +31,7 @@ std::span<const Code> things() {
        "be "
        "undone. Use a small factor, or a flat shape such as `disc` or `quad`.",
        "sphere { scale: [1, 0, 1] }", "sphere { scale: [1, 0.01, 1] }"},
-      {"E0407", "The properties of a thing do not go together",
+      {"E0407", "The properties of a thing are inconsistent",
        "Each property by itself is fine, but together they describe nothing: two ends of a cylinder at one point, the "
        "points of a polygon not in one plane, a difference without anything to take away from.",
        "cylinder { from: [0, 1, 0], to: [0, 1, 0] }", "cylinder { from: [0, 0, 0], to: [0, 1, 0] }"},
@@ -45,7 +45,7 @@ std::span<const Code> things() {
        "and a "
        "material stands nowhere.",
        "sphere {}\ncamera { at: [0, 0, 5] }.move(x: 2)", "sphere {}\ncamera { at: [2, 0, 5] }"},
-      {"E0410", "A material or pattern is placed by itself",
+      {"E0410", "A material or pattern is placed without a shape",
        "A surface is seen on a shape: keep the material under a name and write it after `material:`.",
        "material { color: red }\nsphere {}", "paint = material { color: red }\nsphere { material: paint }"},
       {"E0411", "There is nothing to see",
@@ -54,8 +54,8 @@ std::span<const Code> things() {
        "for later. One line is a whole scene: `sphere {}`.",
        "", ""},
       {"E0412", "There is a second sky",
-       "What is seen where nothing is has one colour in each direction. Keep the other skies under names, "
-       "`dusk = sky { … }`, and place one.",
+       "The background has one colour in each direction. Keep the other skies under names, `dusk = sky { … }`, and "
+       "place one.",
        "sphere {}\nsky { zenith: skyblue }\nsky { horizon: orange }",
        "sphere {}\nday = sky { zenith: skyblue }\ndusk = sky { horizon: orange }\ndusk"},
   };

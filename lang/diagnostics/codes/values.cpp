@@ -11,9 +11,9 @@ std::span<const Code> values() {
        "is "
        "a number of degrees, a colour is `#ff8800`, a name such as `peru`, or `rgb(1, 0.5, 0)`.",
        "sphere { radius: \"2\" }", "sphere { radius: 2 }"},
-      {"E0302", "A value is outside of what the property allows",
-       "The kind of the value is right, but not its size: a radius is greater than 0, a share lies between 0 and 1, a "
-       "polygon has at least three points.",
+      {"E0302", "A value is outside the range that the property allows",
+       "The kind of value is right, but it is out of range: a radius must be greater than 0, a fraction between 0 and "
+       "1, a polygon must have at least three points.",
        "sphere { radius: -1 }", "sphere { radius: 1 }"},
       {"E0303", "A number is not finite",
        "Dividing by 0 gives infinity, and 0/0 is not a number at all. Neither can be the size or place of a thing. "
@@ -28,11 +28,11 @@ std::span<const Code> values() {
       {"E0305", "A condition is neither true nor false",
        "`if`, `and`, `or` and `not` take truth values, which comparisons give: `n > 0`, `x == y`.",
        "n = 3\nif n { sphere {} }", "n = 3\nif n > 0 { sphere {} }"},
-      {"E0306", "Something is called that is no function",
+      {"E0306", "Something that is not a function is called",
        "Parentheses behind a value call it, and only a function can be called. An element of a list is written "
        "`list[0]`.",
        "sizes = [1, 2]\nsphere { radius: sizes(0) }", "sizes = [1, 2]\nsphere { radius: sizes[0] }"},
-      {"E0307", "A loop goes through something that is no list",
+      {"E0307", "A loop iterates over something that is not a list",
        "`for x in …` takes a list or a range: `0..<10`, `[1, 3, 5]`, `range(10)`.",
        "for i in 3 { sphere { at: [i, 0, 0] } }", "for i in 0..<3 { sphere { at: [i, 0, 0] } }"},
       {"E0308", "A list has no such element",
@@ -47,7 +47,7 @@ std::span<const Code> values() {
        "The kind of the argument is right, but there is no answer: a negative number has no square root, a vector of "
        "length 0 no direction, an empty list no greatest element.",
        "sphere { radius: sqrt(-2) }", "sphere { radius: sqrt(2) }"},
-      {"E0311", "A range does not move",
+      {"E0311", "The step of a range is 0",
        "The step of a range is what its elements differ by; it may be negative, but not 0.",
        "for x in 0..1 by 0 { sphere { at: [x, 0, 0] } }", "for x in 0..1 by 0.5 { sphere { at: [x, 0, 0] } }"},
       {"E0312", "A value is not used",

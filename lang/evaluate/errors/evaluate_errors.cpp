@@ -81,12 +81,12 @@ Diagnostic camera_in_thing(Span place, std::string message, std::string label, s
 }
 
 Diagnostic second_camera(Span place, Span first) {
-  return make_error("E0404", place, "there is a camera already, and a scene has one", {},
+  return make_error("E0404", place, "there is already a camera, and a scene has only one", {},
                     {{first, "the first one is here"}});
 }
 
 Diagnostic second_sky(Span place, Span first) {
-  return make_error("E0412", place, "there is a sky already, and a scene has one", {},
+  return make_error("E0412", place, "there is already a sky, and a scene has only one", {},
                     {{first, "the first one is here"}});
 }
 

@@ -143,7 +143,7 @@ Value CallEvaluator::call_chain(const Value& base, const ChainMethod& method, No
   if (!thing.type->has_chain())
     return fail(errors::not_movable(
         place, fmt::format("{} cannot be moved with `.{}`", describe(base), method.name), {},
-        thing.type->category == Category::camera ? "a camera stands where `at` and `look_at` say" : ""));
+        thing.type->category == Category::camera ? "a camera is placed by `at` and `look_at`" : ""));
   std::optional<scene::Step> step = method.function(arguments);
   if (!step) return Value::poison();
   return things_.moved(thing, *std::move(step), place);

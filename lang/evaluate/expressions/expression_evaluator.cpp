@@ -231,7 +231,7 @@ bool ExpressionEvaluator::truth_of(const Value& value, NodeId condition, const C
   if (value.is(ValueKind::boolean)) return value.truth();
   is_poison = true;
   if (!value.is_poison())
-    fail(errors::no_condition(context.ast().span(condition), "a condition is true or false",
+    fail(errors::no_condition(context.ast().span(condition), "a condition must be true or false",
                               "this is " + describe(value)));
   return false;
 }
@@ -362,7 +362,7 @@ bool ExpressionEvaluator::is_loop_head(const Value& head, NodeId node, const Con
   if (head.is_poison()) return false;
   const Span place = context.ast().span(node);
   if (!is_sequence(head)) {
-    fail(errors::not_iterable(place, "`for` goes through a list or a range", "this is " + describe(head)));
+    fail(errors::not_iterable(place, "`for` iterates over a list or a range", "this is " + describe(head)));
     return false;
   }
   if (!head.is(ValueKind::range)) return true;

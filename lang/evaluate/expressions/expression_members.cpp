@@ -24,7 +24,7 @@ Value ExpressionEvaluator::unknown_member(std::string message, std::string_view 
   const bool is_function =
       std::ranges::any_of(all_builtins(), [&](const Builtin* builtin) { return builtin->name == word; });
   return fail(errors::no_member(place, std::move(message),
-                                is_function ? fmt::format("a function stands in front: `{}(…)`", word) : ""));
+                                is_function ? fmt::format("a function comes first: `{}(…)`", word) : ""));
 }
 
 Value ExpressionEvaluator::index_value(NodeId node, const Context& context) {
@@ -37,13 +37,13 @@ Value ExpressionEvaluator::index_value(NodeId node, const Context& context) {
     return fail(errors::wrong_operand(ast.span(parts.base), "only a list has elements", "this is " + describe(base)));
   if (!index.is_number())
     return fail(
-        errors::wrong_operand(ast.span(parts.index), "the place in a list is a number", "this is " + describe(index)));
+        errors::wrong_operand(ast.span(parts.index), "a list index must be a number", "this is " + describe(index)));
   const double size =
       base.is(ValueKind::range) ? count(base.range(), base.excludes_end()) : static_cast<double>(sequence_size(base));
   const double i = index.number();
   if (i != std::floor(i))
-    return fail(errors::no_element(ast.span(parts.index), "the place in a list is a whole number",
-                                   "this is " + format_number(i)));
+    return fail(
+        errors::no_element(ast.span(parts.index), "a list index must be an integer", "this is " + format_number(i)));
   if (!(i >= -size && i < size)) {
     return fail(errors::no_element(ast.span(parts.index), fmt::format("there is no element {}", format_number(i)),
                                    fmt::format("the list has {}, counted from 0", format_number(size))));
@@ -112,14 +112,14 @@ Value ExpressionEvaluator::thing_member(const Thing& thing, NodeId node, const C
   if (thing.def) {
     if (const auto i = thing.def->find(symbol)) {
       if (const PropertyValue* found = thing.find(parameter_id(*i))) return found->value;
-      return fail(errors::no_member(place, fmt::format("`{}` was not written for this thing", word),
-                                    "only written parameters can be read"));
+      return fail(errors::no_member(place, fmt::format("`{}` was not set for this thing", word),
+                                    "only parameters that were set can be read"));
     }
   }
   if (const auto id = thing.type->find(symbol)) {
     if (const PropertyValue* found = thing.find(*id)) return found->value;
     if (const auto value = default_value(*thing.type, thing.type->properties[*id])) return *value;
-    return fail(errors::no_member(place, fmt::format("`{}` was not written for this thing", word), "it has no value"));
+    return fail(errors::no_member(place, fmt::format("`{}` was not set for this thing", word), "it has no value"));
   }
   if (find_chain_method(word))
     return fail(

@@ -117,7 +117,7 @@ Value FormulaEvaluator::negation(const Value& truth, Span place) {
 
 Value FormulaEvaluator::logic(Op op, const Value& left, const Value& right, Span place) {
   if (!is_boolean_like(right))
-    return fail(errors::no_condition(place, "a condition is true or false", "this is " + describe(right)));
+    return fail(errors::no_condition(place, "a condition must be true or false", "this is " + describe(right)));
   const std::array values{left, right};
   if (!is_of_this_point(values, place)) return Value::poison();
   const Formulas formulas(heap_, values);

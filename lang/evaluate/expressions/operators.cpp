@@ -101,7 +101,7 @@ Value Operators::vector_arithmetic(Op op, const Value& left, const Value& right,
   const bool both = left.is(ValueKind::vector) && right.is(ValueKind::vector);
   if (both) {
     if (left.vector_size() != right.vector_size())
-      return fail(errors::wrong_operand(place, fmt::format("`{}` needs two vectors of one size", spelling(op)),
+      return fail(errors::wrong_operand(place, fmt::format("`{}` needs two vectors of the same size", spelling(op)),
                                         fmt::format("{} and {} numbers", left.vector_size(), right.vector_size())));
     if (op != Op::power && op != Op::modulo) return like(left, each(op, left.vector(), right.vector()));
     return wrong_operands(op, left, right, place);

@@ -143,8 +143,8 @@ void BlockEvaluator::put(const Value& value, Span place, Target& target) {
   std::string advice;
   if (value.is(ValueKind::boolean)) advice = "to bind a name, write a single `=`";
   if (value.is(ValueKind::closure) || value.is(ValueKind::builtin)) advice = "a function is called with ( )";
-  fail(errors::unused_value(place, fmt::format("nothing is done with this: it is {}", describe(value)),
-                            "a line holds a thing, a list of things or `none`", std::move(advice)));
+  fail(errors::unused_value(place, fmt::format("this value is not used: it is {}", describe(value)),
+                            "a statement is a thing, a list of things or `none`", std::move(advice)));
 }
 
 void BlockEvaluator::put_comprehension(const Comprehension& parts, std::size_t clause, const Context& context,

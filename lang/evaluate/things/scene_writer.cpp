@@ -138,7 +138,7 @@ ObjectAttributes SceneWriter::attributes_of(const ThingView& described) {
   apply(described.properties);
   for (std::size_t i = known_patterns; i < scene_.patterns.size(); ++i)
     if (flattens(scene_.patterns[i].placement))
-      fail(errors::flattened(described.place, "a pattern on this thing is flattened, or stretched without end"));
+      fail(errors::flattened(described.place, "the transform of a pattern on this thing is singular or infinite"));
   return attributes;
 }
 
@@ -149,7 +149,8 @@ bool SceneWriter::is_something(const ThingView& described) {
   const bool is_open_end = type.category == Category::combination && (!inside || inside->is_nothing) &&
                            type.operation != scene::Combination::Operation::unite && (!inside || !inside->is_cut);
   if (is_open_end)
-    fail(errors::properties_disagree(described.place, fmt::format("the block of this {} holds no solid", type.name)));
+    fail(
+        errors::properties_disagree(described.place, fmt::format("the block of this {} contains no solid", type.name)));
   return !is_open_end && !(inside && is_poisoned(inside->defaults));
 }
 
@@ -192,8 +193,8 @@ void SceneWriter::add_object(const ThingView& described, const ObjectAttributes&
 }
 
 void SceneWriter::fail_flattened(Span place) {
-  fail(errors::flattened(
-      place, "this thing is flattened, or stretched without end: the determinant of its transform is 0 or infinite"));
+  fail(errors::flattened(place,
+                         "the transform of this thing is singular or infinite: its determinant is 0 or infinite"));
 }
 
 std::optional<scene::ShapeRef> SceneWriter::content_shape(Content& content, const NodeType& type, Span place) {
@@ -231,7 +232,7 @@ void SceneWriter::remark_medium(const ThingView& described, scene::ShapeRef made
   if (!bends_nothing || !builder_.open_part(made).empty()) return;
   if (Diagnostic* d = errors_.report().remark(lint_rule::no_ior.code, refract->span)) {
     d->message = "`refract` without `ior`: light goes straight through this solid";
-    d->label = "`ior` is 1 unless it is written";
+    d->label = "`ior` defaults to 1";
     d->notes.push_back({std::nullopt, "write `ior: 1.5` for glass, `ior: 1.33` for water, or `ior: 1` if it is meant"});
   }
 }
@@ -255,7 +256,7 @@ void SceneWriter::put_lights_of(const Content& inside, const ObjectAttributes& a
                                 Target& target) {
   if (target.is_combination()) {
     fail(errors::light_in_combination(
-        described.place, fmt::format("there is a light in this {}, and light is no solid", described.type->name)));
+        described.place, fmt::format("there is a light in this {}, and a light is not a solid", described.type->name)));
     return;
   }
   const bool is_placed = attributes.at != Vec3{} || attributes.rotate != Vec3{} || attributes.scale != Vec3{1, 1, 1} ||
@@ -276,7 +277,7 @@ void SceneWriter::put_light(const ThingView& described, Target& target) {
   const NodeType& type = *described.type;
   if (target.is_combination()) {
     fail(errors::light_in_combination(described.place,
-                                      fmt::format("a {} is no solid: it cannot be combined", type.name)));
+                                      fmt::format("a {} is not a solid: it cannot be combined", type.name)));
     return;
   }
   const std::optional<Prototype> made = make(described);
@@ -305,7 +306,7 @@ void SceneWriter::note_sky(const scene::Light& light, Span place, const Target& 
 
 void SceneWriter::put_camera(const ThingView& described, Target& target) {
   if (target.kind != Target::Kind::scene) {
-    fail(errors::camera_in_thing(described.place, "a camera stands at the top level, not inside a thing"));
+    fail(errors::camera_in_thing(described.place, "a camera must be at the top level, not inside a thing"));
     return;
   }
   if (errors_.is_unsure()) return;

@@ -65,7 +65,7 @@ void ThingEvaluator::add_operand(const Value& value, Span place, Target& target)
   if (value.is(ValueKind::thing)) {
     const Thing& thing = value.thing();
     if (thing.type->is_shape() || thing.type->category == Category::light) return put(thing, target);
-    fail(errors::wrong_operand(place, fmt::format("{} is no solid, so it cannot be combined", describe(value))));
+    fail(errors::wrong_operand(place, fmt::format("{} is not a solid, so it cannot be combined", describe(value))));
     return;
   }
   // A list is the union of its elements.

@@ -152,7 +152,7 @@ Value ThingEvaluator::changed_record(const Record& base, NodeId node, const Cont
   for (const NodeId item : ast.children(ast.override_(node).block)) {
     if (ast.kind(item) == Kind::error) return Value::poison();
     if (ast.kind(item) != Kind::property)
-      return fail(errors::takes_no_things(ast.span(item), "a record holds fields, and nothing else"));
+      return fail(errors::takes_no_things(ast.span(item), "a record contains only fields"));
     const Named field = ast.named(item);
     Record::RecordEntry entry{field.symbol, expressions_.evaluate(field.value, context), ast.span(field.value),
                               ast.named_span(item, program_.symbols)};

@@ -73,7 +73,8 @@ public:
     case Expected::use_as:
       return error(errors::incomplete_statement, "`use` gives the file a name", "`use \"parts.rtl\" as parts`");
     case Expected::claim_t:
-      return error(errors::malformed_expect, "after `at` stands `t`, found " + found(), "`expect … hits ball at t 4`");
+      return error(errors::malformed_expect, "expected `t` after `at`, found " + found(),
+                   "`expect … hits ball at t 4`");
     case Expected::param_value:
       return error(errors::incomplete_statement, "a `param` needs a value to start from, found " + found(),
                    "`param name = value`");
@@ -167,7 +168,8 @@ private:
   }
 
   Diagnostic stray_bracket() const {
-    return error(errors::bracket_without_partner, fmt::format("nothing is open that this {} would close", found()));
+    return error(errors::bracket_without_partner,
+                 fmt::format("there is no open bracket for this {} to close", found()));
   }
 
   std::optional<Diagnostic> foreign_statement() const {
@@ -192,14 +194,14 @@ private:
     const std::string word(text(found_));
     if (word == "else") {
       return error(errors::else_without_if, "this `else` has no `if`",
-                   "`else` stands on the line of the brace that it follows");
+                   "`else` must be on the line of the preceding brace");
     }
     const bool needs_name = expected_ == Expected::name || expected_ == Expected::property_name;
     const Token next = token_from(found_.end);
     const bool is_used_as_name = text(next) == ":" || text(next) == "=";
     if (needs_name || (expected_ == Expected::item && is_used_as_name)) return reserved_name(found_);
     if (expected_ == Expected::expression && (word == "if" || word == "fn")) {
-      return error(errors::bare_if_or_fn, fmt::format("`{}` inside an expression stands in parentheses", word),
+      return error(errors::bare_if_or_fn, fmt::format("`{}` inside an expression needs parentheses", word),
                    word == "if" ? "`(if a { b } else { c })`" : "`(fn (x) => x)`");
     }
     if (expected_ == Expected::expression && word == "for") {
@@ -211,7 +213,7 @@ private:
                    "it is a reserved word");
     }
     if (expected_ == Expected::item) {
-      return error(errors::reserved_word, fmt::format("`{}` is a reserved word and cannot stand here", word));
+      return error(errors::reserved_word, fmt::format("`{}` is a reserved word and cannot be used here", word));
     }
     return missing_separator();
   }
@@ -221,7 +223,7 @@ private:
     if (!place_.follows_line) {
       return error(errors::unexpected, fmt::format("{} has nothing on its left", op));
     }
-    const std::string way_out = found_is("-") ? "; a negative value on a line of its own stands in parentheses" : "";
+    const std::string way_out = found_is("-") ? "; a negative value on a line of its own needs parentheses" : "";
     return error(errors::line_begins_with_operator, fmt::format("a line cannot begin with {}", op),
                  fmt::format("to continue the line before, end that line with {}{}", op, way_out));
   }
@@ -248,8 +250,7 @@ private:
 
   Diagnostic item_end() const {
     if (found_is(":")) {
-      return error(errors::missing_name, "what stands before `:` must be a name",
-                   "a property is written `name: value`");
+      return error(errors::missing_name, "a name is expected before `:`", "a property is written `name: value`");
     }
     return missing_separator();
   }
@@ -271,10 +272,11 @@ private:
   Diagnostic closing_bracket() const {
     const OpenBracket open = place_.open.back();
     if (open.bracket == '(' && found_is(",")) {
-      return error(errors::vector_without_brackets, "parentheses hold one value", "a vector is written `[x, y, z]`");
+      return error(errors::vector_without_brackets, "parentheses contain a single value",
+                   "a vector is written `[x, y, z]`");
     }
     if (found_is(":") && open.bracket == '[') {
-      return error(errors::open_bracket, "a list holds no properties",
+      return error(errors::open_bracket, "a list cannot contain properties",
                    "is the list not closed, or is `{ name: value }` meant?");
     }
     if (found_.kind == TokenKind::symbol) return error(errors::unexpected, "unexpected " + found());
@@ -310,7 +312,7 @@ private:
   Diagnostic name(std::string message) const {
     const bool is_loop = word_of_item() == "for" && before_is("for");
     if (is_loop && found_is("(")) {
-      return error(errors::foreign_statement, "a `for` goes through the elements of something",
+      return error(errors::foreign_statement, "a `for` iterates over elements",
                    "`for i in 0..9 { … }`, without parentheses");
     }
     if (found_.kind == TokenKind::number && expected_ == Expected::property_name) {
@@ -344,7 +346,7 @@ private:
       return error(errors::misplaced_arrow, "a function inside an expression has no name", "`fn (x) => x * x`");
     }
     return error(errors::missing_parameters, fmt::format("expected the parameters in parentheses, found {}", found()),
-                 "`()` where there are none");
+                 "`()` if there are none");
   }
 
   Diagnostic string_end() const {

@@ -153,7 +153,7 @@ Diagnostic look_alike(Span span, std::string_view c, char32_t code) {
   }
   return errors::meaningless_character(
       span, fmt::format("`{}` has no meaning here", c),
-      code < 0x80 ? "" : "names are made of a-z, A-Z, 0-9 and _; other letters stand in strings and comments");
+      code < 0x80 ? "" : "names consist of a-z, A-Z, 0-9 and _; other letters are allowed in strings and comments");
 }
 
 } // namespace
@@ -171,7 +171,7 @@ std::optional<Diagnostic> foreign_method(Span span, std::string_view word) {
   const auto* const found =
       std::find_if(methods.begin(), methods.end(), [&](const ForeignWord& f) { return f.word == word; });
   if (found == methods.end()) return std::nullopt;
-  return errors::foreign_statement(span, fmt::format("`{}` is written behind a thing", word),
+  return errors::foreign_statement(span, fmt::format("`{}` is written after a thing", word),
                                    std::string(found->way_out));
 }
 

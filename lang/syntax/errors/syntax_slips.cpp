@@ -52,13 +52,13 @@ Diagnostic misused_operator(Complaint complaint, Span op, std::string_view op_te
   case Complaint::chained_range:
     return errors::chained_operators(op, "ranges do not chain", "the step follows `by`: `0..10 by 2`");
   case Complaint::misplaced_not:
-    return errors::loose_not(op, "`not` binds looser than the operator before it", "write `(not …)`");
+    return errors::loose_not(op, "`not` has lower precedence than the operator before it", "write `(not …)`");
   case Complaint::step_without_range:
     return errors::by_without_range(op, "`by` belongs to a range", "`0..10 by 2`");
   case Complaint::none:
     break;
   }
-  return errors::unexpected(op, fmt::format("`{}` cannot stand here", op_text));
+  return errors::unexpected(op, fmt::format("`{}` is not allowed here", op_text));
 }
 
 Diagnostic foreign_operator(Span op, std::string_view op_text) {
@@ -85,7 +85,7 @@ std::optional<Diagnostic> malformed_number(Span span, std::string_view text, std
   if (suffix.starts_with('_')) {
     std::string plain(text);
     std::erase(plain, '_');
-    return errors::number_not_decimal(span, "a number holds no `_`", fmt::format("write `{}`", plain));
+    return errors::number_not_decimal(span, "a number cannot contain `_`", fmt::format("write `{}`", plain));
   }
   if (suffix == "e" || suffix == "E") {
     return errors::malformed_number(span, "digits must follow the exponent's `e`", "a thousand is `1e3`");
@@ -115,7 +115,7 @@ Diagnostic bad_escape(Span string, std::string_view text, std::uint32_t offset) 
   while (offset + length < text.size() && (text[offset + length] & 0xc0) == 0x80) ++length; // the whole character
   const std::uint32_t begin = string.begin + offset;
   return errors::unknown_escape(
-      {string.file, begin, begin + length}, is_code_point ? "this names no character" : "there is no such escape",
+      {string.file, begin, begin + length}, is_code_point ? "this is not a character code" : "there is no such escape",
       is_code_point ? "`\\u{e9}` is é" : "the escapes are `\\n`, `\\t`, `\\\"`, `\\\\` and `\\u{…}`");
 }
 

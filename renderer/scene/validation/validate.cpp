@@ -124,7 +124,7 @@ void Validation::check_settings() {
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     check_light(scene_.lights[i], i);
     if (!is_lamp(scene_.lights[i]) && ++skies == 2)
-      add(Kind::thing, at("lights", i), "there is a sky already, and a scene has one");
+      add(Kind::thing, at("lights", i), "there is already a sky, and a scene has only one");
   }
 }
 
@@ -349,7 +349,7 @@ const Scene& validated(const Scene& scene) {
 
 Affine inverse_of_nested(const Affine& map) {
   if (const std::optional<Affine> found = inverse(map)) return *found;
-  throw InvalidScene({{Flaw::Kind::transform, "objects", "transforms that are nested flatten what they hold"}});
+  throw InvalidScene({{Flaw::Kind::transform, "objects", "the product of nested transforms is singular"}});
 }
 
 } // namespace rt::scene

@@ -132,7 +132,7 @@ std::optional<Problem> check_plane(std::span<const Vec3> points, const Vec3& uni
     if (d > distance) distance = d, worst = i;
   }
   if (distance <= tolerance) return std::nullopt;
-  return problem(fmt::format("the points do not lie in one plane: point {} of {} is {:.3g} away from it", worst + 1,
+  return problem(fmt::format("the points are not coplanar: point {} of {} is {:.3g} away from the plane", worst + 1,
                              points.size(), distance));
 }
 
@@ -152,7 +152,7 @@ std::optional<Problem> check_turns(const std::vector<Point2>& p) {
 std::optional<Problem> check_outline(std::span<const Vec3> points) {
   if (points.size() < 3) return problem("at least three points are needed");
   if (auto found = check_steps(points)) return found;
-  if (is_line(points)) return problem("all points lie on one line: there is no area between them");
+  if (is_line(points)) return problem("all points are collinear: the shape has no area");
   const Vec3 normal = newell_normal(points);
   const double size = outline_extent(points);
   if (length(normal) <= 4 * epsilon * size * (size + largest_coordinate(points)))

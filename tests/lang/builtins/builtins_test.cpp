@@ -117,7 +117,7 @@ TEST_CASE("ranges: as many elements as the formula says, in spite of rounding") 
 TEST_CASE("builtins: a function written like a method is reported where it stands here") {
   const Loaded loaded = load("a = [1, 2, 3].map(fn(x) => x)\nb = \"abc\".len\nsphere {}");
   REQUIRE(errors(loaded) == std::vector<std::string>{"E0212", "E0212"});
-  CHECK(loaded.diagnostics[0].label == "a function stands in front: `map(…)`");
+  CHECK(loaded.diagnostics[0].label == "a function comes first: `map(…)`");
   CHECK(loaded.diagnostics[1].label == "`len(…)` counts the elements");
 }
 

@@ -82,9 +82,10 @@ TEST_CASE("expect: light is what closed forms say") {
 
 TEST_CASE("expect: an estimate needs a tolerance, and one that can be met") {
   const std::string room = "mode: path\nbox { size: 2, material: material { diffuse: 0.5, emission: 1 } }\n";
-  CHECK(has(first_message(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2"), "say how precise"));
-  CHECK(has(first_message("sphere {}\nexpect irradiance([0, 2, 0], [0, 1, 0]) ~ 1 within 0.1"), "only `mode: path`"));
-  CHECK(has(first_message(room + "expect irradiance([0, 0, 0], [0, 0, 0]) ~ 1 within 0.1"), "is finite"));
+  CHECK(has(first_message(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2"), "specify its precision"));
+  CHECK(has(first_message("sphere {}\nexpect irradiance([0, 2, 0], [0, 1, 0]) ~ 1 within 0.1"),
+            "irradiance requires `mode: path`"));
+  CHECK(has(first_message(room + "expect irradiance([0, 0, 0], [0, 0, 0]) ~ 1 within 0.1"), "must be finite"));
   CHECK_THAT(failure(room + "expect radiance([0, 0, 0], [1, 0, 0]) ~ 2.5 within 0.1"), Catch::Contains("differ"));
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("expect: loops keep their values, and a copy bears the name of what it
 
 TEST_CASE("expect: a failure in a loop says which turn it was") {
   const std::string text = failure("for i, x in [5, 6, 7] { for y in [[1, 2], [3, 4]] { expect x + y[0] < 10 } }");
-  CHECK(has(text, "in the turn of the loop with i = 2, x = 7, y = [3, 4]"));
+  CHECK(has(text, "in the loop iteration with i = 2, x = 7, y = [3, 4]"));
   CHECK(tried("for x in 0..3 { if x > 1 { expect x < 3 } }").expectations.passed == 1);
 }
 

@@ -136,7 +136,7 @@ TEST_CASE("hover: what stands for what") {
   CHECK(hover_of("fn twice(x) = 2 * ‸x") == "x: a parameter of\n  fn twice(x) = 2 * x");
   CHECK(hover_of("for i in 0..3 { sphere { at: ‸i } }") == "i: known in\n  for i in 0..3 { sphere { at: i } }");
   CHECK(hover_of("a = ‸red") == "red = #ff0000");
-  CHECK(hover_of("sphere { ‸radius: 2 }") == "radius: number = 1\n  distance from the middle to the surface");
+  CHECK(hover_of("sphere { ‸radius: 2 }") == "radius: number = 1\n  distance from the centre to the surface");
   CHECK(hover_of("x = ‸sin(3)").starts_with("sin("));
   CHECK(hover_of("x = 2 * ‸pi").starts_with("pi = "));
   CHECK(hover_of("‸sphere {}").starts_with("sphere { … }"));

@@ -37,7 +37,7 @@ TEST_CASE("session: a name that is bound is set to another value") {
   CHECK(talk.session.text() == "r = 3\nsphere { radius: r }\n");
   talk.say("def ball(r = 1) { sphere { radius: r } }");
   const SessionResult refused = talk.session.set("ball.r", "2");
-  CHECK(refused.problem == "`ball` is no thing, but a declaration");
+  CHECK(refused.problem == "`ball` is a declaration, not a thing");
   CHECK(refused.advice.size() == 1);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("session: a thing without a name is found by its noun, if it is the on
   talk.say("sphere { at: [3, 0, 0] }");
   const SessionResult which = talk.session.set("sphere.radius", "3");
   CHECK(which.problem == "there are 2 of `sphere`; which one?");
-  CHECK(which.advice == std::vector<std::string>{"say its number in the place of the name, as :list shows it: 1, 2"});
+  CHECK(which.advice == std::vector<std::string>{"use its number from :list instead of the name: 1, 2"});
   CHECK(talk.session.remove("sphere").problem == "there are 2 of `sphere`; which one?");
   talk.say("crate = box {}");
   CHECK(talk.session.remove("crat").problem == "there is nothing called `crat`; did you mean `crate`?");
@@ -119,7 +119,7 @@ TEST_CASE("session: what has no name is set and removed by the number that the l
   // What follows moved up.
   CHECK(talk.session.model_of("1") == "sphere");
   const SessionResult refused = talk.session.remove("7");
-  CHECK(refused.problem == "nothing has the number 7");
+  CHECK(refused.problem == "there is no thing number 7");
   CHECK(refused.advice == std::vector<std::string>{":list goes up to 2"});
 }
 

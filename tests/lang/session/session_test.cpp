@@ -108,7 +108,7 @@ TEST_CASE("session: a line that uses later names moves behind them, with what de
   CHECK(talk.session.text() == "c = 10\na = c + 1\nb = a + 1\n");
   CHECK(talk.value("b") == "12");
   const SessionResult result = talk.refuse("a = b + 1");
-  CHECK(result.diagnostics.front().message == "`a` would need itself: `b` is made of it");
+  CHECK(result.diagnostics.front().message == "`a` would depend on itself: `b` uses it");
 }
 
 TEST_CASE("session: a line that begins with a dot changes the last thing, placed or bound") {

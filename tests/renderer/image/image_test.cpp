@@ -275,15 +275,15 @@ TEST_CASE("image: a damaged file is told from a picture, and is named") {
     }
     return "";
   };
-  CHECK_THAT(message(""), Contains("`bad.img` is no picture"));
-  CHECK_THAT(message("GIF89a"), Contains("`bad.img` is no picture"));
-  CHECK_THAT(message("P6\n2 2\n255\nabc"), Contains("`bad.img` cannot be read: it ends too early"));
-  CHECK_THAT(message("P6\n99999999 99999999\n255\nabc"), Contains("it ends too early"));
-  CHECK_THAT(message("P6\n-2 2\n255\nabc"), Contains("whole number"));
+  CHECK_THAT(message(""), Contains("`bad.img` is not a supported picture file"));
+  CHECK_THAT(message("GIF89a"), Contains("`bad.img` is not a supported picture file"));
+  CHECK_THAT(message("P6\n2 2\n255\nabc"), Contains("`bad.img` cannot be read: the file is truncated"));
+  CHECK_THAT(message("P6\n99999999 99999999\n255\nabc"), Contains("the file is truncated"));
+  CHECK_THAT(message("P6\n-2 2\n255\nabc"), Contains("expected an integer"));
   CHECK_THAT(message("P5\n1 1\n70000\nabc"), Contains("70000"));
   CHECK_THAT(message("P3\n1 1\n9\n10 0 0"), Contains("greater"));
-  CHECK_THAT(message("P3\n1 1\n9\n1 0        "), Contains("it ends too early"));
-  CHECK_THAT(message("PF\n2 2\n-1.0\nabc"), Contains("it ends too early"));
+  CHECK_THAT(message("P3\n1 1\n9\n1 0        "), Contains("the file is truncated"));
+  CHECK_THAT(message("PF\n2 2\n-1.0\nabc"), Contains("the file is truncated"));
   CHECK_THAT(message("PF\n0 2\n-1.0\n"), Contains("0 × 2"));
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::exr}) {
     const std::string whole = encode(film(), format, {});

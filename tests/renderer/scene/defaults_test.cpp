@@ -16,7 +16,7 @@ TEST_CASE("defaults: the camera sees the whole bounding sphere, from three-quart
   CHECK(scene.camera.at.x / scene.camera.at.z == Approx(0.5));
   CHECK(scene.camera.at.y / scene.camera.at.z == Approx(0.45));
   CHECK(scene.camera.look_at == Vec3{});
-  CHECK(note == "there is no camera: looking from [1.87, 1.683, 3.741] at [0, 0, 0]");
+  CHECK(note == "no camera given: using one at [1.87, 1.683, 3.741] looking at [0, 0, 0]");
 }
 
 TEST_CASE("defaults: where there is nothing finite, or a single point, the view is the camera's own") {
@@ -30,7 +30,7 @@ TEST_CASE("defaults: where there is nothing finite, or a single point, the view 
 
 TEST_CASE("defaults: a sun shines down from behind the eye") {
   Scene scene;
-  CHECK(assume_light(scene) == "there is no light: a sun shines along [-1, -2, -1.5]");
+  CHECK(assume_light(scene) == "no light given: added a sun with direction [-1, -2, -1.5]");
   REQUIRE(scene.lights.size() == 1);
   CHECK(std::get<SunLight>(scene.lights[0].source).direction == Vec3{-1, -2, -1.5});
 }

@@ -61,7 +61,7 @@ TEST_CASE("check: a box needs both corners, and a size along each axis") {
 
 TEST_CASE("check: a disc's hole is no larger than the disc") {
   CHECK(problem(Disc{{0, 1, 0}, 1, 1}) == "");
-  CHECK(problem(Disc{{0, 1, 0}, 1, 1.5}) == "hole: `hole` is larger than `radius`: nothing of the disc is left");
+  CHECK(problem(Disc{{0, 1, 0}, 1, 1.5}) == "hole: `hole` is larger than `radius`: the disc is empty");
 }
 
 TEST_CASE("check: a triangle has an area, and no normals or three") {
@@ -98,7 +98,7 @@ TEST_CASE("check: a quad's forms are whole") {
   CHECK(problem(q) == "");
   Quad points;
   points.points = std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.25}};
-  CHECK(problem(points).starts_with("points: the points do not lie in one plane: point "));
+  CHECK(problem(points).starts_with("points: the points are not coplanar: point "));
 }
 
 TEST_CASE("check: an outline closes itself") {
@@ -110,8 +110,8 @@ TEST_CASE("check: an outline closes itself") {
 
 TEST_CASE("check: an outline is flat and has an area") {
   CHECK(problem({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}}) ==
-        "points: all points lie on one line: there is no area between them");
-  CHECK(problem({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 3, 0.5}, {0, 2, 0}}).ends_with("away from it"));
+        "points: all points are collinear: the shape has no area");
+  CHECK(problem({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 3, 0.5}, {0, 2, 0}}).ends_with("away from the plane"));
   // A hexagon that was turned: flat up to rounding.
   const Affine turn = Affine::translating({100, -300, 7}) * Affine::rotating({1, 2, 3}, 71);
   std::vector<Vec3> hexagon;
@@ -169,6 +169,6 @@ TEST_CASE("check: a combination of nothing is nothing, but not every one") {
   using Operation = Combination::Operation;
   CHECK(problem(Combination{Operation::unite, {}}) == "");
   CHECK(problem(Combination{Operation::intersect, {}}) == ": an intersection needs at least one solid");
-  CHECK(problem(Combination{Operation::subtract, {}}) == ": a difference needs a solid to take away from");
+  CHECK(problem(Combination{Operation::subtract, {}}) == ": a difference needs a solid to subtract from");
   CHECK(problem(Combination{Operation::subtract, {Object{}}}) == "");
 }

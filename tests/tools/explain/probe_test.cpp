@@ -35,7 +35,7 @@ TEST_CASE("probe: hits in one place are told") {
   CHECK(hits[2].place == 1);
   const std::string text = explain::probe_text(scene, ray, hits, true);
   CHECK(text.find("hit 2 of 3\n") != std::string::npos);
-  CHECK(text.find("hit 3 of 3, in one place with hit 2\n") != std::string::npos);
+  CHECK(text.find("hit 3 of 3, coincides with hit 2\n") != std::string::npos);
   CHECK(explain::probe_json(scene, ray, hits)["hits"][2]["place"] == 1);
 }
 

@@ -158,8 +158,8 @@ TEST_CASE("mini_rt: every defect of every line is told, in one run") {
             "8: `cy` takes 5 fields, not 3: point, direction, diameter, height, colour",
             "9: the diameter of `sp` is a number: 1.5",
             "9: the colour of `sp` is three whole numbers with commas and no spaces: 255,0,100",
-            "10: `ba` is no element of miniRT",
-            "11: `sq` does not belong to the form of 2021",
+            "10: `ba` is not a miniRT element",
+            "11: `sq` does not belong to the 2021 format",
             "12: a file has one ambient light (`A`)",
         });
   CHECK(complaints(read("sp 0,0,0 1 1,2,3\n")) ==
@@ -173,8 +173,8 @@ TEST_CASE("mini_rt: lenient, common forms are taken and the rest is left out, wi
   import::Options lenient;
   lenient.is_lenient = true;
   const import::Imported imported = read(text, lenient);
-  CHECK(complaints(imported) == std::vector<std::string>{"5: what follows the fields of `sp` is left out",
-                                                         "7: `bump` is no element of miniRT: left out"});
+  CHECK(complaints(imported) == std::vector<std::string>{"5: extra text after the fields of `sp` is ignored",
+                                                         "7: `bump` is not a miniRT element: ignored"});
   const scene::Scene scene = scene_of(imported.text);
   CHECK(scene.lights.size() == 2);
   REQUIRE(scene.shapes.all<scene::Cone>().size() == 1);

@@ -79,5 +79,5 @@ TEST_CASE("window: a signal closes it, and without a screen it says what to do i
   options.folder = folder.path();
   const Outcome blind = rtlang({"view", "scene.rtl"}, options);
   CHECK(blind.exit_code == 3);
-  CHECK_THAT(blind.errors, Contains("there is no screen") && Contains("rtlang SCENE -o picture.png"));
+  CHECK_THAT(blind.errors, Contains("no display is available") && Contains("rtlang SCENE -o picture.png"));
 }

@@ -250,7 +250,7 @@ TEST_CASE("repl at a terminal: a killed session is offered and recovered") {
     first.wait_for_end();
   }
   Terminal second(home);
-  CHECK(second.shows("was not saved (7 inputs): :recover brings it back"));
+  CHECK(second.shows("was not saved (7 inputs): :recover restores it"));
   second.say(":recover");
   second.say(":list");
   CHECK(second.shows("ball  sphere  around [3, 0, 0]"));

@@ -123,7 +123,7 @@ TEST_CASE("repl at a terminal: all sessions that were not saved are offered, and
     terminal.wait_for_end();
   }
   Terminal terminal(home);
-  CHECK(terminal.shows("3 sessions were not saved; :recover N brings one back"));
+  CHECK(terminal.shows("3 sessions were not saved; :recover N restores one"));
   for (const char* thing : {"the last: box {}", "the last: sphere {}", "the last: plane {}"})
     CHECK(terminal.shows(thing));
   const std::string offered = terminal.screen().text();

@@ -87,20 +87,19 @@ TEST_CASE("session as a script: :set without a value says what can be set") {
   const TestFolder folder;
   const std::string scene = "ball = sphere {}\nball\nbox {}\ndef table(width = 2) { box { size: width } }\n";
   CHECK(session(folder, scene + ":set ball.radius\n").output ==
-        "ball.radius: number = 1\n  distance from the middle to the surface\n");
+        "ball.radius: number = 1\n  distance from the centre to the surface\n");
   CHECK(session(folder, scene + ":set 1.size\n").output.find("1.size: vector or number = 1\n") == 0);
-  CHECK(session(folder, scene + ":set table.width\n").output ==
-        "table.width: a parameter of table, 2 unless it is given\n");
+  CHECK(session(folder, scene + ":set table.width\n").output == "table.width: a parameter of table, default 2\n");
   CHECK(session(folder, scene + ":set background\n").output.find("background: colour") == 0);
   CHECK(session(folder, scene + ":set ball\n").output.find("ball takes at, ") == 0);
   CHECK(session(folder, scene + ":set ball.\n").output.find("ball takes at, ") == 0);
-  CHECK(session(folder, scene + ":set nobody.x\n").errors.find("`nobody` is no thing of the scene") == 0);
+  CHECK(session(folder, scene + ":set nobody.x\n").errors.find("there is no thing `nobody` in the scene") == 0);
 }
 
 TEST_CASE("session as a script: :undo and :redo say what they took back and did again") {
   const TestFolder folder;
   const Outcome outcome = session(folder, "sphere {}\n:set sphere.radius 2\n:undo\n:undo\n:redo\n");
-  CHECK(outcome.output == "took back: :set sphere.radius 2\ntook back: sphere {}\ndid again: sphere {}\n");
+  CHECK(outcome.output == "undone: :set sphere.radius 2\nundone: sphere {}\nredone: sphere {}\n");
 }
 
 TEST_CASE("session as a script: :why shows the main path of light, or as much of the tree as is asked for") {
@@ -154,7 +153,7 @@ TEST_CASE("session as a script: what cannot be read or written is reported") {
   const TestFolder folder;
   CHECK(session(folder, ":load nothing.rtl\n").errors.find("nothing.rtl") != std::string::npos);
   CHECK(session(folder, "sphere {}\n:save no/such/folder.rtl\n").exit_code == 1);
-  CHECK(session(folder, ":save\n").errors.find("under which name?") != std::string::npos);
+  CHECK(session(folder, ":save\n").errors.find("give a file name") != std::string::npos);
   CHECK(session(folder, ":render picture.bmp\n").errors.find(".png") != std::string::npos);
   CHECK(session(folder, "", {"nothing.rtl"}).exit_code == 1);
 }

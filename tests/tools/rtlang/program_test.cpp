@@ -103,7 +103,7 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"scene.rtl", "--mode", "radiosity"}) ==
         "rtlang: --mode takes one of whitted, path, occlusion, not `radiosity`");
   CHECK(message({"scene.rtl", "--time", "9s"}) ==
-        "rtlang: --time does not go with the mode whitted, which takes as long as it takes");
+        "rtlang: --time cannot be used in whitted mode, which has a fixed number of samples");
   CHECK(message({"scene.rtl", "--mode", "path", "--time", "soon"}) ==
         "rtlang: --time takes a time, as in 90s, 5m or 1.5h, not `soon`");
   CHECK(message({"scene.rtl", "--max-depth", "-1"}) ==
@@ -131,7 +131,7 @@ TEST_CASE("program: the command line's mistakes end with 2 and say what would do
   CHECK(message({"test"}) == "rtlang: SCENES are missing");
   CHECK(message({"why"}) == "rtlang: SCENE and --pixel X,Y are missing" + advice);
   CHECK(message({"probe", "--at", "1,2"}) == "rtlang: SCENE is missing" + advice);
-  CHECK_THAT(message({"probe", "scene.rtl"}), StartsWith("rtlang: ask about one of --pixel X,Y, --at X,Y"));
+  CHECK_THAT(message({"probe", "scene.rtl"}), StartsWith("rtlang: specify exactly one of --pixel X,Y, --at X,Y"));
   CHECK(message({"lint", "--strict"}) == "rtlang: SCENE is missing" + advice);
   for (const char* command : {"ast", "scene", "export", "check"})
     CHECK(message({command}) == "rtlang: SCENE is missing" + advice);

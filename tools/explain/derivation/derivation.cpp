@@ -34,7 +34,7 @@ Steps::Roots Steps::solve(double a, double b, double c, std::string_view surface
   const double d = computed < 0 && computed > -noise ? 0 : computed;
   put("discriminant", "b² − 4ac", computed);
   if (d < 0) {
-    so(fmt::format("< 0: the line does not meet {}", surface));
+    so(fmt::format("< 0: the line misses {}", surface));
     return {};
   }
   const double root = std::sqrt(d);
@@ -44,7 +44,7 @@ Steps::Roots Steps::solve(double a, double b, double c, std::string_view surface
     put("t1", "t = −b / 2a", first).so();
     return {1, first, first};
   }
-  so(fmt::format("> 0: the line meets {} twice", surface));
+  so(fmt::format("> 0: the line intersects {} twice", surface));
   put("t1", "t₁ = (−b − √) / 2a", std::min(first, second))
       .put("t2", "t₂ = (−b + √) / 2a", std::max(first, second))
       .so();
@@ -60,9 +60,9 @@ bool is_start(double t, double taken) {
 
 std::string why_not(const Steps::Candidate& c, double taken, bool is_of_combination) {
   if (is_start(c.t, taken)) return fmt::format("{} is where the ray starts", c.name);
-  if (c.t < 0) return fmt::format("{} lies behind the ray's origin", c.name);
+  if (c.t < 0) return fmt::format("{} is behind the ray's origin", c.name);
   if (c.t > taken) return {};
-  return is_of_combination ? fmt::format("{} is no surface of the combination", c.name)
+  return is_of_combination ? fmt::format("{} is not on the surface of the combination", c.name)
                            : fmt::format("{} is nearer by rounding only", c.name);
 }
 

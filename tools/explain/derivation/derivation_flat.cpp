@@ -100,7 +100,7 @@ void derive_outline(Steps& steps, std::span<const Vec3> corners, const Vec3& nor
   const bool is_edge = is_on_edge(corners, on.point, extent);
   if (corners.size() == 4 && is_convex(corners, normal)) {
     put_sides(steps, sides_of(corners, normal, on.point));
-    steps.so(is_edge ? "inside test: P is on the outline, which belongs to the face"
+    steps.so(is_edge ? "inside test: P is on the outline, which counts as inside"
                      : "inside test: none is negative, so P is inside of all four edges");
   } else {
     const int crossings = count_crossings(corners, normal, on.point);

@@ -97,10 +97,10 @@ void derive_shape(Steps& steps, const CylinderGeometry& cylinder) {
                c = dot(axial.across, axial.across) - cylinder.radius * cylinder.radius;
   steps.put("a", "a = d⊥·d⊥", a).put("b", "b = 2·o⊥·d⊥", b).put("c", "c = o⊥·o⊥ − r²", c);
   if (axial.is_along(steps.ray())) {
-    steps.so("a = 0: the ray runs along the axis, and only the ends can be met");
+    steps.so("a = 0: the ray is parallel to the axis, and can only hit the ends");
   } else {
     steps.so();
-    const auto roots = steps.solve(a, b, c, "the endless side");
+    const auto roots = steps.solve(a, b, c, "the infinite side");
     for (int i = 1; i <= roots.count; ++i) {
       const double t = i == 1 ? roots.first : roots.second;
       if (is_infinite)
@@ -113,7 +113,7 @@ void derive_shape(Steps& steps, const CylinderGeometry& cylinder) {
     add_end(steps, axial, 0, cylinder.radius, is_open, "base", "the end at B", candidates);
     add_end(steps, axial, cylinder.height, cylinder.radius, is_open, "top", "the other end", candidates);
   } else if (!is_infinite) {
-    steps.put("climb", "d·u", 0.0).so("the ray runs across the axis and keeps its height: it does not meet the ends");
+    steps.put("climb", "d·u", 0.0).so("the ray is perpendicular to the axis: it does not hit the ends");
   }
   steps.choose(std::move(candidates));
 }
@@ -134,7 +134,7 @@ void derive_shape(Steps& steps, const ConeGeometry& cone) {
   const double speed = dot(steps.ray().direction, steps.ray().direction);
   if (std::abs(a) > 1e-14 * speed) {
     steps.so();
-    const auto roots = steps.solve(a, b, c, "the endless double cone");
+    const auto roots = steps.solve(a, b, c, "the infinite double cone");
     for (int i = 1; i <= roots.count; ++i)
       add_side(steps, axial, i == 1 ? roots.first : roots.second, i, cone.height, candidates);
   } else if (b != 0) {

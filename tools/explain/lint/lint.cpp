@@ -126,7 +126,7 @@ void require_rules(const std::vector<std::string>& words) {
     for (const lang::LintRule& rule : lang::lint_rules()) names.push_back(rule.name);
     const auto guess = lang::nearest(word, names);
     throw QuestionError(
-        fmt::format("the lint has no rule `{}`{}", word,
+        fmt::format("there is no lint rule `{}`{}", word,
                     guess ? fmt::format(": did you mean `{}`?", *guess) : "; `rtlang lint --rules` lists them"));
   }
 }

@@ -14,7 +14,7 @@ std::string way_text(const Namer& namer, const Sum& sum, std::uint32_t last_step
     const std::string title = namer.title(step.at->path);
     const std::string part = step.how == WayStep::How::mirrored ? fmt::format("mirrored in {}", title)
                              : step.how == WayStep::How::totally_reflected
-                                 ? fmt::format("totally reflected in {}", title)
+                                 ? fmt::format("total internal reflection in {}", title)
                                  : fmt::format("through {}", title);
     if (part != last) text += ", " + part;
     last = part;
@@ -47,7 +47,7 @@ std::string term_text(const Answer& answer, const Contribution& term) {
     text = "estimates for weak rays";
     break;
   case Contribution::Kind::unexpanded:
-    text = "rays that are summed up";
+    text = "rays not shown individually";
     break;
   }
   return text + way_text(answer.namer, answer.sum, term.last_step);

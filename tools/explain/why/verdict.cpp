@@ -42,7 +42,7 @@ public:
     for (const Reason& r : reasons) phrases.push_back(r.before + lights_text(r.lights) + r.after);
     if (phrases.size() > 4) {
       phrases.resize(3);
-      phrases.push_back("as little comes from the other lights");
+      phrases.push_back("as little light comes from the other lights");
     }
     return phrases;
   }
@@ -132,7 +132,7 @@ private:
   }
 
   std::string background() const {
-    return fmt::format("the ray meets nothing, and the background is {}",
+    return fmt::format("the ray hits nothing, and the background is {}",
                        answer_.scene.background == black ? "black" : "dark");
   }
 
@@ -142,7 +142,7 @@ private:
     case Prospect::totally_reflected:
       return deeper(*s.total_reflection->ray, fmt::format("{} reflects the ray totally", title));
     case Prospect::through:
-      if (s.material.color == black) return fmt::format("{} lets nothing through: its color is black", title);
+      if (s.material.color == black) return fmt::format("{} transmits nothing: its color is black", title);
       if (max_component(s.transition->tau) < dark_below)
         return fmt::format("{} lets through only {}", title, percent_text(max_component(s.transition->tau)));
       if (s.transition->ray) return deeper(*s.transition->ray, fmt::format("it is seen through {}", title));
@@ -202,7 +202,7 @@ public:
 
   std::string sentence() const {
     const RayNode& root = *answer_.tree;
-    if (root.surfaces.empty()) return "this is the background: the ray meets nothing";
+    if (root.surfaces.empty()) return "this is the background: the ray hits nothing";
     std::map<std::uint32_t, double> by_way; // the terms that came the same way from the same surface
     double direct = 0, mirrored = 0, through = 0;
     for (const Contribution& term : answer_.sum.terms) {
@@ -273,9 +273,9 @@ private:
         lit_by.insert(light), givers.push_back(fmt::format("{} ({})", name(light), percent_text(share(size))));
     if (share(ambient) >= 0.1) givers.push_back(fmt::format("ambient light ({})", percent_text(share(ambient))));
     std::string text =
-        fmt::format("{} is seen in the light of {}", title, givers.empty() ? "many lamps" : list_text(givers));
+        fmt::format("{} is lit by {}", title, givers.empty() ? "many lamps" : list_text(givers));
     if (share(ambient) > 0.98)
-      text = fmt::format("{} is seen in ambient light only", title);
+      text = fmt::format("{} is lit by ambient light only", title);
     else if (lit_by.empty() && share(ambient) >= 0.1)
       text = fmt::format("{} is seen in ambient light ({})", title, percent_text(share(ambient)));
     const auto missing = surfaces_.why_unlit(s, lit_by, share(ambient) < 0.5);
@@ -287,7 +287,7 @@ private:
   std::string others(double mirrored, double through) const {
     std::vector<std::string> parts;
     if (share(mirrored) >= 0.1)
-      parts.push_back(fmt::format("{} of the light is mirrored", percent_text(share(mirrored))));
+      parts.push_back(fmt::format("{} of the light is reflected", percent_text(share(mirrored))));
     if (share(through) >= 0.1) parts.push_back(fmt::format("{} comes through it", percent_text(share(through))));
     return parts.empty() ? "" : "; " + list_text(parts);
   }

@@ -36,12 +36,12 @@ public:
   void end(const RayNode& node, int indent) {
     const std::string_view subject = node.surfaces.empty() ? "it" : "behind it the ray";
     if (node.end == RayNode::End::background)
-      page_.line(indent, fmt::format("{} meets nothing: the background, {}", subject, color_text(node.background)));
+      page_.line(indent, fmt::format("{} hits nothing: the background, {}", subject, color_text(node.background)));
     if (node.end == RayNode::End::too_deep)
       page_.line(indent, node.surfaces.empty()
                              ? fmt::format("depth {} is beyond max_depth {}: black", node.depth,
                                            scene::depth_limit(answer_.scene))
-                             : fmt::format("depth {} is max_depth: what lies beyond is not traced, black", node.depth));
+                             : fmt::format("depth {} is max_depth: what is beyond is not traced, black", node.depth));
   }
 
   void radiance(const RayNode& node, int indent) {
@@ -154,7 +154,7 @@ void write_title(const Answer& answer, Page& page) {
   const double whole = size_of(answer.sum.total);
   const std::string title = whole > 0 ? fmt::format("the path that carries most of the light, {} of it",
                                                     percent_text(size_of(answer.path.light) / whole))
-                                      : "no light comes; the path along which most would be seen";
+                                      : "no light arrives; this is the path along which most would be seen";
   page.line(0, fmt::format("{} (--all shows all {} rays)", title, rays));
 }
 

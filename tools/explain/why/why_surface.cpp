@@ -28,8 +28,8 @@ std::string agreement_text(const Derivation& d) {
 void write_derivation(const Derivation& d, Page& page, int indent) {
   page.line(indent, fmt::format("{}: {}", d.shape, d.equation));
   if (d.is_own_space)
-    page.line(indent + 2, fmt::format("in its own space, before it is placed, where t is the same: o = {}, d = {}",
-                                      vector_text(d.ray.origin), vector_text(d.ray.direction)));
+    page.line(indent + 2, fmt::format("in object space, where t is the same: o = {}, d = {}", vector_text(d.ray.origin),
+                                      vector_text(d.ray.direction)));
   for (const DerivationLine& line : d.lines) {
     std::string text;
     for (const Quantity& q : line.quantities) text += (text.empty() ? "" : ", ") + text_of(q);
@@ -108,7 +108,7 @@ std::string cosine_text(std::string_view name, double cosine) {
 
 // Of a light, or of a branch.
 std::string left_out_text(const Answer& answer, double weight) {
-  return fmt::format("not followed: it weighs at most {} of white, and min_weight {} leaves out what changes so little",
+  return fmt::format("not traced: its weight is at most {} of white, within the allowance of min_weight {}",
                      number_text(weight), number_text(scene::min_weight(answer.scene)));
 }
 
@@ -167,7 +167,7 @@ void write_light(const Answer& answer, const SurfaceNode& s, const LightNode& no
   const MaterialValues& m = s.material;
   const std::string name = fmt::format("{}: {}", answer.namer.light(r.light), where_text(source, r.sample));
   if (!scene::is_lamp(answer.scene.lights[r.light]))
-    return page.line(indent, answer.namer.light(r.light) + ": its light on surfaces is followed in path mode alone");
+    return page.line(indent, answer.namer.light(r.light) + ": it lights surfaces only in path mode");
   if (r.sample.distance == 0) return page.line(indent, name + ": it is at this very point and does not light it");
   if (!(r.cos_light > 0))
     return page.line(indent, fmt::format("{}, {}: the surface faces away", name, cosine_text("n·l", r.cos_light)));
@@ -225,7 +225,7 @@ void write_meeting(const Answer& answer, const SurfaceNode& s, Page& page, int i
   if (!s.touching.empty()) {
     std::vector<std::string> names;
     for (const auto& path : s.touching) names.push_back(answer.namer.whole(path));
-    page.line(indent, fmt::format("comes to {} surfaces in one place, nearer to each other than rounding can tell: {}",
+    page.line(indent, fmt::format("hits {} coincident surfaces, closer to each other than rounding can tell: {}",
                                   names.size(), list_text(names)));
   }
   page.line(indent, fmt::format("meets {} at t = {}, {}, {}", answer.namer.whole(s.path), number_text(s.hit.t),
@@ -278,7 +278,7 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
   if (m.fresnel) {
     const double c = mirror.cosine, g2 = mirror.eta * mirror.eta + c * c - 1;
     page.line(indent + 2,
-              fmt::format("Fresnel: η = {} (other side by this side), c = cos θ = {}, g² = η² + c² − 1 = {}, R_F = {}",
+              fmt::format("Fresnel: η = {} (other side / this side), c = cos θ = {}, g² = η² + c² − 1 = {}, R_F = {}",
                           number_text(mirror.eta), number_text(c), number_text(g2), number_text(mirror.reflectance)));
   }
   if (m.metallic != 0)
@@ -288,7 +288,7 @@ void write_mirror(const Answer& answer, const SurfaceNode& s, Page& page, int in
   if (mirror.left_out)
     page.line(indent + 2, left_out_text(answer, *mirror.left_out));
   else if (!mirror.ray)
-    page.line(indent + 2, "nothing is mirrored at weight 0");
+    page.line(indent + 2, "no reflection: weight 0");
 }
 
 namespace {
@@ -302,9 +302,9 @@ std::string passage_text(const Answer& answer, const SurfaceNode& s, const Mediu
   case MediumTransition::Kind::leaving:
     return fmt::format("leaves {}, ior {} to {}", title, number_text(p.ior_from), number_text(p.ior_to));
   case MediumTransition::Kind::entering_outer:
-    return fmt::format("enters {} together with what lies within it, ior stays {}", title, number_text(p.ior_from));
+    return fmt::format("enters {} together with a solid inside it, ior stays {}", title, number_text(p.ior_from));
   case MediumTransition::Kind::leaving_outer:
-    return fmt::format("leaves {} while still inside of what was entered later, ior stays {}", title,
+    return fmt::format("leaves {} while still inside a solid entered later, ior stays {}", title,
                        number_text(p.ior_from));
   case MediumTransition::Kind::through_sheet:
     return fmt::format("passes {}, a thin sheet", title);
@@ -331,14 +331,14 @@ void write_passage(const Answer& answer, const SurfaceNode& s, Page& page, int i
     if (p.left_out)
       page.line(indent + 2, left_out_text(answer, *p.left_out));
     else if (!p.ray)
-      page.line(indent + 2, "nothing is refracted at weight 0");
+      page.line(indent + 2, "no refraction: weight 0");
     return;
   }
   if (p.left_out) return page.line(indent + 2, left_out_text(answer, *p.left_out));
   page.line(indent + 2,
-            p.tau == black ? "nothing is refracted at weight 0"
+            p.tau == black ? "no refraction: weight 0"
             : s.material.thin
-                ? fmt::format("it bends nothing: the ray continues straight, at {}, without counting as deeper",
+                ? fmt::format("no bending: the ray continues straight, at {}, without increasing the depth",
                               angle_text(p.cosine))
                 : fmt::format("the ior is the same: the ray continues straight, at {}, without counting as deeper",
                               angle_text(p.cosine)));
@@ -352,9 +352,8 @@ void write_total_reflection(const Answer& answer, const SurfaceNode& s, Page& pa
                                 number_text(t.transition.ior_to), number_text(eta), number_text(sine(t.cosine)),
                                 number_text(eta * sine(t.cosine))));
   page.line(indent + 2,
-            fmt::format(
-                "{} is beyond the critical angle of {}; one mirrored ray of weight 1 takes the place of both branches",
-                angle_text(t.cosine), angle_text(sine(1 / eta))));
+            fmt::format("{} is beyond the critical angle of {}; one reflected ray of weight 1 replaces both branches",
+                        angle_text(t.cosine), angle_text(sine(1 / eta))));
 }
 
 } // namespace rt::tools::explain

@@ -36,7 +36,7 @@ void write_sum(const Answer& answer, const Detail& detail, Page& page) {
   const Color traced = answer.tree->radiance, difference = answer.sum.total - traced;
   const double gap = std::max({std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
   write("sum", answer.sum.total,
-        gap == 0 ? "as the renderer has it" : fmt::format("as the renderer has it, to {:.1g}", gap));
+        gap == 0 ? "matches the renderer" : fmt::format("matches the renderer, to {:.1g}", gap));
 }
 
 std::string headline(const Answer& answer) {

@@ -182,8 +182,8 @@ std::array<GateName, 7> gate_names() {
       {"depth", &Gates::depth, "distance, largest relative difference, unexplained"},
       {"depth_p999", &Gates::depth_p999, "distance, 99.9th percentile"},
       {"normals", &Gates::normals, "normals, largest angle (radians), unexplained"},
-      {"color", &Gates::color, "colours nearer than this are equal"},
-      {"color_share", &Gates::color_share, "share of pixels with equal colour"},
+      {"color", &Gates::color, "colours that differ by less are equal"},
+      {"color_share", &Gates::color_share, "fraction of pixels with equal colour"},
       {"color_unexplained", &Gates::color_unexplained, "pixels with another colour, unexplained"},
   }};
 }

@@ -72,7 +72,7 @@ std::string report_text(const Report& report) {
       c.id_mismatches, c.depths, 100 * static_cast<double>(c.color_within_8bit) / static_cast<double>(c.pixels),
       c.color_max, c.color_max_x, c.color_max_y);
   if (!report.shots->is_float)
-    text += "  POV-Ray left no float picture: colours are compared in 16 bits from 0 to 1.\n";
+    text += "  POV-Ray wrote no float picture: colours are compared as 16-bit values from 0 to 1.\n";
   const std::vector<ObjectName> names = object_names(*report.description);
   for (std::size_t i = 0; i < std::min(c.outliers.size(), lines_of_outliers); ++i)
     text += pixel_text(report, names, c.outliers[i]);

@@ -66,7 +66,7 @@ constexpr std::string_view page = R"html(<!doctype html>
   <img id="normals" alt="map of the angles between normals" src="%NORMALS%" hidden>
   <div id="cut"></div>
 </div>
-<input id="share" type="range" min="0" max="1000" value="500" aria-label="where the slider cuts">
+<input id="share" type="range" min="0" max="1000" value="500" aria-label="position of the divider">
 <p>Maps: 0 is black; <code>1e-8</code> <span class="legend"></span> <code>1</code>, logarithmic.</p>
 <h2>Worst pixels</h2>
 %OUTLIERS%

@@ -67,10 +67,10 @@ void run(const ScratchFolder& folder, const std::string& text, int width, int he
     if (result.exit_code == 0 || result.errors.find("Timed out waiting for worker thread startup") == std::string::npos)
       break;
   }
-  if (result.stopped) throw Failed("stopped while POV-Ray was at work");
+  if (result.stopped) throw Failed("stopped while POV-Ray was running");
   if (result.timed_out)
     throw Failed(
-        fmt::format("POV-Ray did not end within {} s", std::chrono::duration<double>(options.time_limit).count()));
+        fmt::format("POV-Ray did not finish within {} s", std::chrono::duration<double>(options.time_limit).count()));
   if (result.exit_code != 0)
     throw Failed(fmt::format("POV-Ray failed (exit code {}): {}", result.exit_code, complaint(result.errors)));
 }
@@ -87,7 +87,7 @@ Picture render(const std::string& text, int width, int height, const RunOptions&
 
   const Image file = read_image((folder.path() / "scene.ppm").string(), Transfer::linear);
   if (file.width != width || file.height != height || file.bits != 16)
-    throw Failed("POV-Ray left no picture of 16 bits in the size that was asked for");
+    throw Failed("POV-Ray wrote no 16-bit picture of the requested size");
   Picture picture{width, height, file.color, to_16_bits(file.color), false};
   if (std::optional<std::vector<Rgb32>> state =
           read_render_state(rt::read_file((folder.path() / "state").string()), width, height)) {

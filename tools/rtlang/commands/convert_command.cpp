@@ -47,9 +47,9 @@ Action declare_convert(CLI::App& app) {
       ->type_name("FILE");
   arguments->scene = add_text_arguments(app);
   import::Options& options = arguments->scene->import;
-  app.add_flag("--lenient", options.is_lenient, "takes common forms that the format does not have");
+  app.add_flag("--lenient", options.is_lenient, "accepts common extensions of the format");
   app.add_flag("--cylinders-on-foot", options.cylinders_stand_on_foot,
-               "miniRT: a cylinder's point is its foot, not its middle");
+               "miniRT: a cylinder's point is the centre of its base, not of the cylinder");
   app.footer("Every command takes such a file directly too: `rtlang scene.rt -o out.png`.");
   return [arguments] { return convert(*arguments); };
 }

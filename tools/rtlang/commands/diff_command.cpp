@@ -37,11 +37,11 @@ std::vector<Measure> measures(const Difference& d) {
   const double pixels = static_cast<double>(d.color_error.size());
   std::vector<Measure> all{
       {"max", d.color_max, false, "largest difference of a linear colour"},
-      {"equal", static_cast<double>(d.color_equal) / pixels, true, "share of pixels within 1e-5, linear"},
+      {"equal", static_cast<double>(d.color_equal) / pixels, true, "fraction of pixels within 1e-5, linear"},
       {"equal_8bit", static_cast<double>(d.color_within_8bit) / pixels, true, "share of pixels within 1/255, as shown"},
-      {"rmse", d.rmse, false, "root of the mean squared difference, as shown, of 1"},
-      {"psnr", d.psnr, true, "the same as a ratio to the full range, decibels"},
-      {"ssim", d.ssim, true, "structural similarity of the brightness, 1 for equal pictures"},
+      {"rmse", d.rmse, false, "root mean square difference, as shown, on a scale of 0 to 1"},
+      {"psnr", d.psnr, true, "peak signal-to-noise ratio, decibels"},
+      {"ssim", d.ssim, true, "structural similarity of the luma, 1 for equal pictures"},
   };
   if (d.layers) {
     all.push_back({"objects", static_cast<double>(d.layers->other_object), false, "pixels with another object"});
@@ -127,7 +127,7 @@ Action declare_diff(CLI::App& app) {
   app.add_option("B", arguments->b, "another of the same size")->required()->group("");
   app.add_option("-o,--output", arguments->heat, "writes a difference map, logarithmic from 1e-8 to 1")
       ->type_name("PICTURE");
-  app.add_option("--gate", arguments->gates, "a threshold, in place of max=0 (repeatable)")
+  app.add_option("--gate", arguments->gates, "a threshold, instead of max=0 (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--linear", arguments->is_linear, "takes integer samples of untagged files as linear light, not sRGB");

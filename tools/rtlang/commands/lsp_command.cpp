@@ -13,7 +13,7 @@ namespace rt::tools {
 
 Action declare_lsp(CLI::App& app) {
   auto options = std::make_shared<lsp::ServerOptions>();
-  app.add_option("--include-root", options->include_roots, "another folder that includes may read from")
+  app.add_option("--include-root", options->include_roots, "an additional folder that includes may read from")
       ->type_name("DIR")
       ->allow_extra_args(false);
   app.footer(

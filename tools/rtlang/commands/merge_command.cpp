@@ -41,13 +41,13 @@ std::vector<SamplePart> joined_parts(const std::vector<PictureWithSums>& picture
   std::vector<SamplePart> parts;
   for (const PictureWithSums& picture : pictures) {
     if (picture.label.parts.empty())
-      throw UsageError(fmt::format("`{}` has all samples of its picture: there is nothing to be added", picture.path));
+      throw UsageError(fmt::format("`{}` already contains all samples of its picture", picture.path));
     for (const SamplePart& part : picture.label.parts) {
       if (part.count != pictures[0].label.parts[0].count)
         throw UsageError(fmt::format("`{}` is one of {} parts, and `{}` one of {}", pictures[0].path,
                                      pictures[0].label.parts[0].count, picture.path, part.count));
       if (std::find(parts.begin(), parts.end(), part) != parts.end())
-        throw UsageError(fmt::format("part {}/{} is there twice, in `{}` again", part.index, part.count, picture.path));
+        throw UsageError(fmt::format("part {}/{} is given twice, again in `{}`", part.index, part.count, picture.path));
       parts.push_back(part);
     }
   }
@@ -115,15 +115,15 @@ Action declare_merge(CLI::App& app) {
   app.add_option("PICTURES", arguments->pictures, "parts of one picture: .exr files made with --part")
       ->required()
       ->group("");
-  app.add_option("-o,--output", arguments->outputs, "the whole: .png .exr .ppm or .pfm file")
+  app.add_option("-o,--output", arguments->outputs, "output file: .png, .exr, .ppm or .pfm")
       ->type_name("FILE")
       ->required()
       ->allow_extra_args(false);
   app.add_option("--bits", arguments->bits, "bits per channel in .png and .ppm: 8 or 16")
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}));
-  app.add_flag("--sums", arguments->keeps_sums, "keeps the sums in an .exr that is whole, so that it can be continued");
-  app.footer("Each part may be made on another machine: the whole has the bytes that one machine would have made.");
+  app.add_flag("--sums", arguments->keeps_sums, "keeps the sums in a complete .exr, so that it can be continued");
+  app.footer("Parts may be rendered on different machines: the result is byte-identical to a single render.");
   return [arguments] { return run_merge(*arguments); };
 }
 

@@ -17,11 +17,12 @@ struct ProbeArguments : QuestionArguments {
 Action declare_probe(CLI::App& app) {
   auto arguments = std::make_shared<ProbeArguments>();
   arguments->question = add_question_arguments(app);
-  app.add_flag("--all", arguments->options.all, "lists all hits in order, not only the nearest");
+  app.add_flag("--all", arguments->options.all, "lists all hits in order, not just the nearest");
   app.add_flag("--json", arguments->options.as_json, "prints JSON");
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("t is in lengths of the direction, the distance in scene units. A miss is an answer, not an error.");
+  app.footer("t is in multiples of the direction vector, the distance in scene units. A miss is a valid result, not an "
+             "error.");
   return [arguments] {
     return answer_question(*arguments, [&](live::Document& document, const explain::Question& question) {
       return document.probe(question, arguments->options);

@@ -256,14 +256,14 @@ Rendered render_with_progress(const RenderArguments& arguments, const scene::Sce
 void require_path_options(const RenderArguments& arguments, const scene::Scene& scene, bool has_exr) {
   const auto require_path = [&](bool is_given, std::string_view option) {
     if (is_given && !scene.is_random())
-      throw UsageError(fmt::format("{} does not go with the mode whitted, which has no samples to be added", option));
+      throw UsageError(fmt::format("{} cannot be used in whitted mode, whose samples cannot be added to", option));
   };
   if (arguments.seconds > 0 && !scene.is_random())
-    throw UsageError("--time does not go with the mode whitted, which takes as long as it takes");
+    throw UsageError("--time cannot be used in whitted mode, which has a fixed number of samples");
   require_path(arguments.part.has_value(), "--part");
   require_path(arguments.keeps_sums, "--sums");
   require_path(!arguments.earlier.empty(), "--continue");
-  if (arguments.part && !has_exr) throw UsageError("--part makes sums, which only an .exr can hold: say -o FILE.exr");
+  if (arguments.part && !has_exr) throw UsageError("--part writes sums, which only an .exr can store: use -o FILE.exr");
   if (arguments.part && scene.noise)
     throw UsageError("--part does not go with the scene's `noise`, which is that of all samples together");
 }
@@ -275,11 +275,11 @@ std::optional<PictureWithSums> earlier_picture(const RenderArguments& arguments,
   std::optional<PictureWithSums> earlier = read_with_sums(arguments.earlier);
   const Image& image = earlier->image;
   if (earlier->label.samples_hash != label.samples_hash)
-    throw UsageError(fmt::format("`{}` is of another scene, size or seed", arguments.earlier));
+    throw UsageError(fmt::format("`{}` is from a different scene, size or seed", arguments.earlier));
   if (PixelRect{image.left, image.top, image.left + image.width, image.top + image.height} != rect)
-    throw UsageError(fmt::format("`{}` shows another part of the picture", arguments.earlier));
+    throw UsageError(fmt::format("`{}` shows a different part of the picture", arguments.earlier));
   if (earlier->label.parts != label.parts)
-    throw UsageError(fmt::format("`{}` has the samples of another --part", arguments.earlier));
+    throw UsageError(fmt::format("`{}` contains the samples of a different --part", arguments.earlier));
   return earlier;
 }
 
@@ -356,7 +356,7 @@ Action declare_render(CLI::App& app) {
       ->group(further_options);
   app.add_option_function<std::string>(
          "--time", [arguments = arguments.get()](const std::string& text) { arguments->seconds = *seconds_of(text); },
-         "but in whitted: samples for so long, as in 90s, 5m or 1.5h")
+         "not in whitted mode: samples for this long, as in 90s, 5m or 1.5h")
       ->type_name("T")
       ->check([](const std::string& text) {
         return seconds_of(text) ? "" : fmt::format("takes a time, as in 90s, 5m or 1.5h, not `{}`", text);
@@ -364,15 +364,16 @@ Action declare_render(CLI::App& app) {
       ->group(further_options);
   app.add_option_function<std::string>(
          "--part", [arguments = arguments.get()](const std::string& text) { arguments->part = part_of(text); },
-         "but in whitted: only the k-th of n shares of the samples, for `rtlang merge`")
+         "not in whitted mode: only the k-th of n parts of the samples, for `rtlang merge`")
       ->type_name("K/N")
       ->check([](const std::string& text) {
         return part_of(text) ? "" : fmt::format("takes the k-th of n parts, as in 2/4, not `{}`", text);
       })
       ->group(further_options);
-  app.add_flag("--sums", arguments->keeps_sums, "but in whitted: keeps in an .exr what --continue needs")
+  app.add_flag("--sums", arguments->keeps_sums, "not in whitted mode: stores in an .exr what --continue needs")
       ->group(further_options);
-  app.add_option("--continue", arguments->earlier, "but in whitted: adds samples to this picture, made with --sums")
+  app.add_option("--continue", arguments->earlier,
+                 "not in whitted mode: adds samples to this picture, made with --sums")
       ->type_name("PICTURE")
       ->group(further_options);
   app.add_option("--threads", arguments->threads, "number of threads (one per core)")
@@ -383,7 +384,7 @@ Action declare_render(CLI::App& app) {
   app.add_flag("--stats{text}", arguments->statistics, "prints timings and counts as a table, or as JSON")
       ->type_name("[json]")
       ->check(one_of({"text", "json"}));
-  app.add_option("--format", arguments->format, "for - and other names: png (default), exr, ppm, pfm")
+  app.add_option("--format", arguments->format, "file format for - and other names: png (default), exr, ppm, pfm")
       ->type_name("NAME")
       ->check(one_of({"png", "exr", "ppm", "pfm"}))
       ->group(further_options);

@@ -36,12 +36,12 @@ Action declare_scene(CLI::App& app) {
   auto arguments = std::make_shared<SceneCommandArguments>();
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.add_flag("--hash", arguments->wants_hash, "prints only the hash that pictures of the scene carry");
+  app.add_flag("--hash", arguments->wants_hash, "prints only the hash stored in pictures of the scene");
   app.footer(
       "Numbers are exact and colours linear. Materials, patterns, groups and combinations are referred to by index.\n"
       "`id` is an object's number in the layer object.id of an exr, `ids` the first and the last of a group's; "
       "`manifest`\n"
-      "says what they are called.");
+      "gives their names.");
   return [arguments] { return run_scene(*arguments); };
 }
 

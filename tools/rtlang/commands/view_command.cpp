@@ -62,7 +62,7 @@ Action declare_view(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
   arguments->picture = add_picture_arguments(app);
   arguments->scene = add_scene_arguments(app);
-  app.footer("The file is read again whenever it is saved. Keys:\n" + std::string(preview::window_help()));
+  app.footer("The file is reloaded whenever it is saved. Keys:\n" + std::string(preview::window_help()));
   return [arguments] { return view(*arguments); };
 }
 

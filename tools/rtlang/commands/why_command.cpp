@@ -20,7 +20,7 @@ Action declare_why(CLI::App& app) {
   auto arguments = std::make_shared<WhyArguments>();
   arguments->question = add_question_arguments(app);
   explain::Detail& detail = arguments->options.detail;
-  app.add_flag("--all", detail.all, "the whole tree of rays, not only the path that carries most of the light");
+  app.add_flag("--all", detail.all, "shows the whole ray tree, not just the path that carries most of the light");
   app.add_option("--depth", detail.depth, "the tree down to this depth; deeper rays are summed up")
       ->type_name("N")
       ->check(whole_number(0, std::numeric_limits<int>::max()));

@@ -44,7 +44,8 @@ TEST_CASE("why: where no light comes, the path is the one along which most would
   CHECK(path.steps[2].surface->surface.position.z == Approx(-1));
   CHECK(path.steps[3].ray->end == explain::RayNode::End::too_deep);
   CHECK(path.light == black);
-  CHECK(contains(explain::why_text(asked->answer, {}), "no light comes; the path along which most would be seen"));
+  CHECK(contains(explain::why_text(asked->answer, {}),
+                 "no light arrives; this is the path along which most would be seen"));
 }
 
 TEST_CASE("why: the path alone is what a screen holds, and the terms that make 90 % of the colour") {

@@ -30,7 +30,7 @@ TEST_CASE("why: from inside a sphere the farther root is taken, and it says why"
   const json d = derivation_of(*asked);
   CHECK(d["quantities"]["t1"] == -4);
   CHECK(d["t"] == 4);
-  CHECK(d["choice"] == "t₁ lies behind the ray's origin, so t₂ is taken");
+  CHECK(d["choice"] == "t₁ is behind the ray's origin, so t₂ is taken");
   CHECK(contains(text_of(*asked), "< 0: the ray starts inside"));
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("why: a difference is shown as intervals of the line, and a cut surfac
   CHECK(c["inside"] == json::array({json({4.5, 6.0})}));
   CHECK(surface_of(*asked)["t"] == 4.5);
   CHECK(contains(text_of(*asked), "which is subtracted: its normal is flipped"));
-  CHECK(contains(text_of(*asked), "t₁ is no surface of the combination, so t₂ is taken"));
+  CHECK(contains(text_of(*asked), "t₁ is not on the surface of the combination, so t₂ is taken"));
 }
 
 TEST_CASE("why: parts that lie in each other leave no intervals of rounding") {
@@ -252,16 +252,16 @@ TEST_CASE("why: surfaces that touch are shown as one event, each with its part i
   CHECK(in_water.at(0)["t"] == in_glass.at(0)["t"]);
   // Every solid filters twice.
   CHECK(asked->answer.sum.total.r == Approx(0.8 * 0.8 * 0.9 * 0.9 * 0.5).epsilon(1e-12));
-  CHECK(contains(text_of(*asked), "comes to 2 surfaces in one place, nearer to each other than rounding can tell: box "
+  CHECK(contains(text_of(*asked), "hits 2 coincident surfaces, closer to each other than rounding can tell: box "
                                   "(line 2) and box (line 3)"));
 }
 
 TEST_CASE("why: it ends in a plain sentence") {
   const std::string lit = "sun { direction: [0, 0, -1] }\nambient: 0.1\n";
-  CHECK(sentence_of("background: skyblue") == "this is the background: the ray meets nothing");
-  CHECK(sentence_of("background: black") == "black because the ray meets nothing, and the background is black");
+  CHECK(sentence_of("background: skyblue") == "this is the background: the ray hits nothing");
+  CHECK(sentence_of("background: black") == "black because the ray hits nothing, and the background is black");
   CHECK(sentence_of(lit + "ball = sphere {}\nball") ==
-        "`ball` (line 3) is seen in the light of sun (line 1) (89 %) and ambient light (11 %)");
+        "`ball` (line 3) is lit by sun (line 1) (89 %) and ambient light (11 %)");
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, 1] }\nsphere {}") ==
         "black because sphere (line 3) faces away from sun (line 2), and ambient is 0");
   CHECK(sentence_of("ambient: 0\nspot { at: [0, 9, 9], look_at: [0, 9, 0] }\nsphere {}") ==
@@ -279,7 +279,7 @@ TEST_CASE("why: it ends in a plain sentence") {
   CHECK(sentence_of("background: #fff\nambient: 0\nsphere { material: material { refract: 0.9, ior: 1.5 } }") ==
         "100 % of the light comes from the background, through sphere (line 3)");
   CHECK(sentence_of("ambient: 0\nsun { direction: [0, 0, -1], intensity: 3 }\nsphere {}") ==
-        "sphere (line 3) is seen in the light of sun (line 2) (100 %); it is brighter than the picture can show and "
+        "sphere (line 3) is lit by sun (line 2) (100 %); it is brighter than the picture can show and "
         "clipped to white");
   // Light that is there and does not get by: blue through a red pane, bent or not, and a weak mirror of a bright
   // background.

@@ -82,7 +82,7 @@ void check_pixel(const scene::Scene& scene, const RayQuery& query, std::string_v
     }
   });
   const std::string text = explain::why_text(answer, {.depth = 2});
-  CHECK(text.find("as the renderer has it") != std::string::npos);
+  CHECK(text.find("matches the renderer") != std::string::npos);
 }
 
 } // namespace

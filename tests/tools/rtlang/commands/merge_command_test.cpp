@@ -58,17 +58,17 @@ TEST_CASE("rtlang merge: what is no whole is refused, with the reason") {
   render({"-o", "third.exr", "--part", "2/3"});
   render({"-o", "piece.exr", "--part", "2/2", "--crop", "0,0,9,9"});
   CHECK_THAT(message({"merge", "1.exr", "plain.exr", "-o", "x.png"}), Contains("`plain.exr` has no sums"));
-  CHECK_THAT(message({"merge", "1.exr", "whole.exr", "-o", "x.png"}), Contains("has all samples"));
-  CHECK_THAT(message({"merge", "1.exr", "1.exr", "-o", "x.png"}), Contains("part 1/2 is there twice"));
+  CHECK_THAT(message({"merge", "1.exr", "whole.exr", "-o", "x.png"}), Contains("already contains all samples"));
+  CHECK_THAT(message({"merge", "1.exr", "1.exr", "-o", "x.png"}), Contains("part 1/2 is given twice"));
   CHECK_THAT(message({"merge", "1.exr", "other.exr", "-o", "x.png"}), Contains("different scenes, sizes or seeds"));
   CHECK_THAT(message({"merge", "1.exr", "third.exr", "-o", "x.png"}), Contains("one of 2 parts"));
   CHECK_THAT(message({"merge", "1.exr", "piece.exr", "-o", "x.png"}), Contains("different parts of the picture"));
   CHECK_THAT(message({"scene.rtl", "--part", "5/4", "-o", "x.exr"}), Contains("k-th of n"));
-  CHECK_THAT(message({"scene.rtl", "--part", "1/4", "-o", "x.png"}), Contains("only an .exr can hold"));
+  CHECK_THAT(message({"scene.rtl", "--part", "1/4", "-o", "x.png"}), Contains("only an .exr can store"));
   CHECK_THAT(message({"scene.rtl", "--mode", "whitted", "--part", "1/4", "-o", "x.exr"}),
-             Contains("does not go with the mode whitted"));
+             Contains("cannot be used in whitted mode"));
   CHECK_THAT(message({"scene.rtl", "--continue", "plain.exr", "-o", "x.exr"}), Contains("has no sums"));
-  CHECK_THAT(message({"scene.rtl", "--continue", "1.exr", "-o", "x.exr"}), Contains("another --part"));
+  CHECK_THAT(message({"scene.rtl", "--continue", "1.exr", "-o", "x.exr"}), Contains("a different --part"));
   desk.folder.write("scene.rtl", std::string(lit_scene) + "noise: 0.01\n");
   CHECK_THAT(message({"scene.rtl", "--part", "1/4", "-o", "x.exr"}), Contains("does not go with the scene's `noise`"));
 }

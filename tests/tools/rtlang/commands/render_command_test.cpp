@@ -203,7 +203,7 @@ TEST_CASE("rtlang render: Ctrl-C stops within a second and leaves nothing") {
     desk.folder.write(
         "scene.rtl",
         "for i in 0..<1e6 { sphere { at: [random(i), random(i, 1), random(i, 2)] * 100, radius: 0.1 } }\n");
-    desk.options.signal_after = "there is no light"; // said when it is loaded
+    desk.options.signal_after = "no light given"; // said when it is loaded
     const Outcome run = desk.run({"scene.rtl", "-o", "a.png"});
     CHECK(run.exit_code == 130);
     CHECK(run.since_signal < std::chrono::seconds(1));

@@ -33,9 +33,10 @@ struct ShadowRay {
 /// A point of a surface that a ray met, in the scene's space.
 struct Surface {
   Vec3 point;
-  Vec3 geometric_normal;   ///< unit, out of the solid (right-handed about the corners of what is flat)
-  Vec3 shading_normal;     ///< unit, on the same side; another only on a triangle with normals of its own
-  double offset = 0;       ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
+  Vec3 geometric_normal; ///< unit, out of the solid (right-handed about the corners of what is flat)
+  Vec3 shading_normal; ///< unit, on the same side; another where there are bumps, and on a triangle with normals of its
+                       ///< own
+  double offset = 0;   ///< a ray that leaves the surface starts this far off it, beyond the rounding of `point`
   std::uint64_t order = 0; ///< of the object among all in the order of declaration, from 0; a combination is one object
   std::uint32_t material_id = 0;
   std::uint32_t medium_material_id = 0; ///< the inside of the solid is this material's

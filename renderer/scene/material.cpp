@@ -54,6 +54,8 @@ std::span<const Field> fields(const Material*) {
           "absorb", {.default_text = "", .help = "what the inside leaves of white light that goes so far through it"}),
       field<&Material::thin>("thin",
                              {"false", "a sheet, not a solid: what passes is not bent, and there is no inside"}),
+      field<&Material::bump>("bump",
+                             {"0", "a pattern of heights, in lengths of the object: bends the normal", not_negative}),
   };
   return table;
 }

@@ -25,7 +25,8 @@ struct StopParts {
 /// Those of a list of two of which the first is a number; else nothing.
 std::optional<StopParts> as_stop(const Value& value);
 
-/// The word that stands for one of several choices, be it the noun of a thing as well (`filter: box`); else nothing.
+/// The word that stands for one of several choices, be it the noun of a thing (`filter: box`) or the name of a function
+/// as well; else nothing.
 std::optional<std::string_view> as_choice(const Value& value);
 
 /// A colour, a number as grey, or what has a colour's name; else nothing.

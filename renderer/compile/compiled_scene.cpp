@@ -40,12 +40,10 @@ LeafSurface surface_in(const Aggregate& aggregate, const MaterialBindings& bindi
   LeafSurface s = surface_in(*instance.aggregate, bindings, instance.to_local.ray(ray), hit, first + step.order);
   s.point = mapped(s.point, instance.to_outer, instance.to_local);
   const BindingId binding = step.leaves->tag(step.index).binding_id();
-  if (s.binding == inherited_binding && binding != inherited_binding) {
-    s.binding = binding;
-    s.pattern_point = bindings.pattern_point(binding, s.point.position);
-  }
-  settle_medium(s, bindings, hit, binding);
   if (s.shading_normal) s.shading_normal->carry(instance.to_outer);
+  if (s.bent_normal) s.bent_normal->carry(instance.to_local);
+  if (s.binding == inherited_binding && binding != inherited_binding) s.bind(binding, bindings);
+  settle_medium(s, bindings, hit, binding);
   return s;
 }
 
@@ -185,10 +183,10 @@ Color CompiledScene::transmittance_by_steps(const Ray& ray, double end, double g
 Surface CompiledScene::surface(const Ray& ray, const RayHit& hit) const {
   const MaterialBindings& bindings = *bindings_;
   const LeafSurface s = surface_in(*root_, bindings, ray, hit, 0);
-  const Vec3& normal = s.point.normal;
+  const Vec3 &normal = s.point.normal, smooth = s.shading_normal ? s.shading_normal->value(normal) : normal;
   const BindingId medium = s.medium.value_or(bindings.default_binding());
   return {s.point,
-          s.shading_normal ? s.shading_normal->value(normal) : normal,
+          s.bent_normal ? s.bent_normal->value(smooth) : smooth,
           order(hit),
           bindings.material(s.binding),
           bindings.material(medium),

@@ -32,7 +32,7 @@ struct ShadowRay {
 
 /// The intersection of a ray with a surface, in scene space.
 struct Surface : SurfacePoint {
-  Vec3 shading_normal;     ///< unit, on the same side; differs only on a triangle with vertex normals
+  Vec3 shading_normal; ///< unit, on the same side; differs where there are bumps, and on a triangle with vertex normals
   std::uint64_t order = 0; ///< of the object among all, in the order of declaration from 0; a combination is one object
   std::uint32_t material_id = 0;
   std::uint32_t medium_material_id = 0; ///< the material of the solid's interior

@@ -5,7 +5,7 @@
 namespace rt {
 
 MaterialBindings::MaterialBindings(const scene::Scene& scene) : materials_(scene) {
-  bindings_.push_back({materials_.default_material(), nowhere, true, false, false, false});
+  bindings_.push_back({materials_.default_material(), nowhere, true, false, false, false, false});
   extend(scene);
 }
 
@@ -16,10 +16,20 @@ void MaterialBindings::extend(const scene::Scene& scene) {
     const bool is_opaque = scene::is_opaque(scene.materials[i]), uses_ior = !is_opaque || scene.materials[i].fresnel;
     placeless_.push_back(BindingId{static_cast<std::uint32_t>(bindings_.size())});
     const bool shines = scene::shines(scene.materials[i]);
-    bindings_.push_back({material, nowhere, is_opaque, scene::is_medium(scene.materials[i]), uses_ior, shines});
+    bindings_.push_back({material, nowhere, is_opaque, scene::is_medium(scene.materials[i]), uses_ior, shines,
+                         materials_.is_bumpy(material)});
     uses_ior_ = uses_ior_ || uses_ior;
     any_shines_ = any_shines_ || shines;
   }
+}
+
+BentNormal MaterialBindings::bent_normal(BindingId binding, const Vec3& pattern_point, const Vec3& normal) const {
+  const MaterialBinding& b = at(binding);
+  const Affine to_object = b.place == nowhere ? Affine{} : places_[b.place];
+  const Vec3 gradient = materials_.bump_gradient(b.material, pattern_point), own = normalize(to_object.normal(normal));
+  BentNormal bent{own, gradient - own * dot(gradient, own)};
+  bent.carry(to_object);
+  return bent;
 }
 
 void MaterialBindings::release(const Mark& mark) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/shading/bent_normal.hpp"
 #include "renderer/shading/materials.hpp"
 
 #include <cstdint>
@@ -64,6 +65,10 @@ public:
     if (!materials_.has_patterns(material)) return materials_.constant(material);
     return scratch = materials_.at(material, pattern_point);
   }
+  /// Whether its material has bumps.
+  bool is_bumpy(BindingId binding) const { return at(binding).is_bumpy; }
+  /// How they bend the unit normal at a point whose `pattern_point` is given.
+  BentNormal bent_normal(BindingId binding, const Vec3& pattern_point, const Vec3& normal) const;
   /// The transmittance of the surface at a point.
   Color transmittance(BindingId binding, const Vec3& p) const {
     const std::uint32_t material = at(binding).material;
@@ -82,6 +87,7 @@ private:
     bool is_medium;
     bool uses_ior;
     bool shines;
+    bool is_bumpy;
   };
   const MaterialBinding& at(BindingId id) const { return bindings_[static_cast<std::size_t>(id)]; }
   [[gnu::noinline]] Vec3 point_at(std::uint32_t place, const Vec3& p) const { return places_[place].point(p); }

@@ -50,7 +50,7 @@ private:
   static constexpr double most_at_once = 1.0 / 16;
   // How far the mean is from the light that it stands for, in white, where many are added up. In glasses of water under
   // light and dark skies it was less than half of that.
-  static constexpr double usual_error = 1.0 / 8;
+  static constexpr double usual_error = 1.0 / 10;
 
   // Whatever the light, what is brighter than white being white.
   static constexpr double strongest = 2.27 * most_at_once / usual_error;

@@ -56,6 +56,8 @@ std::span<const Field> fields(const Material*) {
       field<&Material::thin>(
           "thin",
           {"false", "a thin sheet rather than a solid: transmitted light is not bent, and there is no interior"}),
+      field<&Material::bump>("bump",
+                             {"0", "a pattern of heights, in lengths of the object: bends the normal", not_negative}),
   };
   return table;
 }

@@ -32,6 +32,7 @@ struct Material {
   double coat_ior = 1.5;
   std::optional<Absorb> absorb = std::nullopt;
   bool thin = false;
+  NumberPaint bump = 0.0;
   friend bool operator==(const Material&, const Material&) = default;
 };
 

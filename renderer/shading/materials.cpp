@@ -22,6 +22,7 @@ void for_each_textured(F&& f) {
   f(&Material::refract, &MaterialValues::refract, zero_to_one);
   f(&Material::roughness, &MaterialValues::roughness, zero_to_one);
   f(&Material::coat, &MaterialValues::coat, zero_to_one);
+  f(&Material::bump, &MaterialValues::bump, not_negative);
 }
 
 // The paint of a property, or null if it is not specified.
@@ -83,6 +84,12 @@ void Materials::add(const scene::Material& described) {
     else
       entry.values.*property = std::get<0>(*paint);
   });
+  if (const scene::PatternId* bumps = std::get_if<scene::PatternId>(&m.bump)) {
+    // Far less than what patterns are made of, one unit of their own, and far more than rounding.
+    constexpr double step = 1e-4;
+    const Affine& to_pattern = patterns_[static_cast<std::size_t>(*bumps)].to_pattern;
+    entry.bumps = {*bumps, step / std::max({length(to_pattern.x), length(to_pattern.y), length(to_pattern.z)})};
+  }
   entry.texture_count = static_cast<std::uint32_t>(textures_.size()) - entry.first_texture;
 }
 
@@ -102,6 +109,14 @@ MaterialValues Materials::at(std::uint32_t material, const Vec3& p) const {
   }
   if (entry.roughness_implies_shininess) values.shininess = scene::shininess_of(*values.roughness);
   return values;
+}
+
+Vec3 Materials::bump_gradient(std::uint32_t material, const Vec3& p) const {
+  const auto& [pattern, step] = *entries_[material].bumps;
+  const auto slope = [&, id = pattern, h = step](const Vec3& axis) {
+    return (color_of(id, p + axis * h).r - color_of(id, p - axis * h).r) / (2 * h);
+  };
+  return {slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
 }
 
 // Every pattern, also one that stands within another, lives in the space of the object that writes the material. A

@@ -25,6 +25,7 @@ struct MaterialValues {
   std::optional<scene::Metal> metal = std::nullopt;
   double coat = 0, coat_roughness = 0, coat_ior = 1.5;
   bool thin = false;
+  double bump = 0; ///< the height, which itself shows nowhere
   friend bool operator==(const MaterialValues&, const MaterialValues&) = default;
 };
 
@@ -62,15 +63,25 @@ public:
   /// The values of a material without patterns; for one with patterns only those are right that no pattern gives.
   const MaterialValues& constant(std::uint32_t material) const { return entries_[material].values; }
 
+  /// Whether it has bumps.
+  bool is_bumpy(std::uint32_t material) const { return entries_[material].bumps.has_value(); }
+  /// The gradient of the heights of a bumpy material at `p`, given in the space that its patterns live in.
+  Vec3 bump_gradient(std::uint32_t material, const Vec3& p) const;
+
   /// The values at `p`, in the space of the material's patterns.
   MaterialValues at(std::uint32_t material, const Vec3& p) const;
 
 private:
+  struct Bumps {
+    scene::PatternId pattern;
+    double step; // over which their slope is taken
+  };
   struct MaterialEntry {
     MaterialValues values;
     Absorption absorption{};
     std::uint32_t first_texture = 0, texture_count = 0;
     bool roughness_implies_shininess = false; ///< a pattern gives the former
+    std::optional<Bumps> bumps = std::nullopt;
   };
   // A property that a pattern gives. A function may give numbers beyond what the property takes: they are held.
   struct Texture {

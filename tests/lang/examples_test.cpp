@@ -21,8 +21,9 @@ std::string read(const fs::path& path) {
 
 std::vector<fs::path> examples() {
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(RTLANG_SOURCE_DIR "/examples"))
-    if (entry.path().extension() == ".rtl") found.push_back(entry.path());
+  for (const char* folder : {RTLANG_SOURCE_DIR "/examples", RTLANG_SOURCE_DIR "/examples/own"})
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".rtl") found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -35,8 +36,9 @@ TEST_CASE("examples: every scene loads, says what it teaches, and hangs in the g
   for (const fs::path& path : examples()) {
     INFO(path.filename().string());
     CHECK(read(path).starts_with("// "));
-    CHECK(gallery.find("(" + path.filename().string() + ")") != std::string::npos);
-    CHECK(fs::exists(path.parent_path() / "gallery" / (path.stem().string() + ".png")));
+    const fs::path root = RTLANG_SOURCE_DIR "/examples";
+    CHECK(gallery.find("(" + fs::relative(path, root).generic_string() + ")") != std::string::npos);
+    CHECK(fs::exists(root / "gallery" / (path.stem().string() + ".png")));
     const auto loaded = rt::lang::load_file(path.string(), {});
     REQUIRE(loaded.scene);
     CHECK(std::none_of(loaded.diagnostics.begin(), loaded.diagnostics.end(),

@@ -72,6 +72,18 @@ TEST_CASE("every example in its own size is what POV-Ray makes of it") {
   check_all(scenes);
 }
 
+TEST_CASE("examples of what POV-Ray does not have stand apart, and their export says so") {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RTLANG_SOURCE_DIR "/examples/own")) {
+    if (entry.path().extension() != ".rtl") continue;
+    INFO(entry.path().string());
+    const scene::Scene scene = loaded(lang::load_file(entry.path().string(), {}), entry.path().string());
+    CHECK_FALSE(povray::export_povray(scene).inexact.empty());
+    ++found;
+  }
+  CHECK(found > 0);
+}
+
 // Every size has other rays, and with them other chances to graze an edge.
 TEST_CASE("every example in two sizes drawn by lot is what POV-Ray makes of it") {
   std::mt19937 lot(20261128);

@@ -83,7 +83,10 @@ void make_physical(Dice dice, Block& m) {
   Dice own(dice.bits());
   if (own.chance(0.06)) m.set("metal", metals[own.below(3)]);
   if (own.chance(0.1)) set_value(own, m, "roughness", [](Dice& d) { return text(d.between(0.2, 1)); });
-  // A coat that is none: POV-Ray has no other.
+  // Heights that are level, and a coat that is none: POV-Ray has no others.
+  if (own.chance(0.1))
+    m.set("bump", random_pattern(
+                      own, [](Dice&) { return "0.5"; }, true));
   if (own.chance(0.1)) {
     m.set("coat", random_pattern(
                       own, [](Dice&) { return "0"; }, true));

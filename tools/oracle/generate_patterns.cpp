@@ -21,7 +21,7 @@ public:
 
 private:
   Block layout(int depth) {
-    switch (dice_.below(14)) {
+    switch (dice_.below(15)) {
     case 0:
       return with_parts("stripes", {"a", "b"}, depth).set("width", text(dice_.between(0.2, 0.8)));
     case 1:
@@ -43,7 +43,9 @@ private:
     case 9:
       return cells();
     case 10:
+      return dice_.chance(0.7) ? fractal() : dice_.chance(0.5) ? crackle() : ripples();
     case 11:
+    case 12:
       return gradient(depth);
     default:
       return with_parts("checker", {"a", "b"}, depth);
@@ -79,11 +81,30 @@ private:
   }
 
   // POV-Ray's values by chance are others: all places show the same.
-  Block cells() {
-    const std::string same = value_(dice_);
-    Block b = block("cells").set("stops", fmt::format("[[0, {0}], [1, {0}]]", same));
+  Block by_chance(const char* noun) {
+    Block b = block(noun).set("stops", fmt::format("[[0, {0}], [1, {0}]]", value_(dice_)));
     set_shared(b);
-    return b.set("seed", std::to_string(dice_.below(9)));
+    return b.set("seed", std::to_string(1 + dice_.below(9)));
+  }
+
+  Block cells() { return by_chance("cells"); }
+
+  Block fractal() {
+    constexpr const char* nouns[] = {"noise", "turbulence", "granite", "agate", "marble", "wood"};
+    const int kind = dice_.below(6);
+    Block b = by_chance(nouns[kind]);
+    if (kind > 2) b.set("wander", text(dice_.unit()));
+    if (kind == 5) b.set("grain", text(dice_.unit()));
+    return b.set("octaves", "2").set("lacunarity", text(dice_.between(1.5, 3))).set("gain", text(dice_.unit()));
+  }
+
+  Block crackle() {
+    constexpr const char* measures[] = {"first", "second", "edge"};
+    return by_chance("crackle").set("measure", measures[dice_.below(3)]);
+  }
+
+  Block ripples() {
+    return by_chance("ripples").set("sources", std::to_string(1 + dice_.below(4))).set("spread", text(dice_.unit()));
   }
 
   Block graded(const char* noun, int depth) {

@@ -88,12 +88,12 @@ LeafSurface SolidLeaves::surface(const MaterialBindings& bindings, const Ray& ou
   const Ray ray = placed.is_in_place ? outer : placed.to_local.ray(outer);
   const BindingId own = tags_[hit.index].binding_id();
   LeafSurface s{placed.solid->point(ray, hit), placed.solid->operand(hit.operand).binding, own};
-  if (s.binding != inherited_binding) s.pattern_point = bindings.pattern_point(s.binding, s.point.position);
-  if (!placed.is_in_place) s.point = mapped(s.point, placed.to_outer, placed.to_local);
-  if (s.binding == inherited_binding && own != inherited_binding) {
-    s.binding = own;
-    s.pattern_point = bindings.pattern_point(own, s.point.position);
+  if (s.binding != inherited_binding) s.bind(s.binding, bindings);
+  if (!placed.is_in_place) {
+    s.point = mapped(s.point, placed.to_outer, placed.to_local);
+    if (s.bent_normal) s.bent_normal->carry(placed.to_local);
   }
+  if (s.binding == inherited_binding && own != inherited_binding) s.bind(own, bindings);
   s.solids = this;
   return s;
 }

@@ -33,6 +33,16 @@ struct LeafSurface {
   const SolidLeaves* solids = nullptr;                   ///< of a combination, whose medium may be another's
   std::optional<InterpolatedNormal> shading_normal = {}; ///< none: the point's
   std::optional<BindingId> medium = {};                  ///< as soon as it is known
+  std::optional<BentNormal> bent_normal = {};            ///< where its material has bumps
+
+  /// Takes `b` for the surface's binding, which is looked up in the space that the surface is in.
+  void bind(BindingId b, const MaterialBindings& bindings) {
+    binding = b;
+    pattern_point = bindings.pattern_point(b, point.position);
+    if (bindings.is_bumpy(b)) [[unlikely]]
+      bent_normal =
+          bindings.bent_normal(b, pattern_point, shading_normal ? shading_normal->value(point.normal) : point.normal);
+  }
 };
 
 /// Operations on a type-erased leaf: one table for each type of set. A leaf may hold several shapes; then `tag` and
@@ -95,9 +105,9 @@ public:
     const Placed& p = shapes_[hit.index];
     const BindingId binding = tags_[hit.index].binding_id();
     LeafSurface s{p.point(ray, hit), binding, binding};
-    if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
     if constexpr (requires { interpolated_normal(p.shape, s.point.position); })
       s.shading_normal = interpolated_normal(p.shape, s.point.position);
+    if (binding != inherited_binding) s.bind(binding, bindings);
     return s;
   }
 

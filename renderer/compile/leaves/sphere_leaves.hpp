@@ -60,7 +60,7 @@ public:
     const SphereGeometry sphere = packs_[hit.index / SpherePack::size].sphere(hit.index % SpherePack::size);
     const BindingId binding = tags_[hit.index].binding_id();
     LeafSurface s{surface_point(sphere, ray, hit), binding, binding};
-    if (binding != inherited_binding) s.pattern_point = bindings.pattern_point(binding, s.point.position);
+    if (binding != inherited_binding) s.bind(binding, bindings);
     return s;
   }
 

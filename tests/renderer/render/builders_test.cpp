@@ -26,7 +26,8 @@ bool have_equal_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 } // namespace
 
 TEST_CASE("render: the same picture, byte for byte, whoever builds the tree") {
-  for (const char* name : {"still_life", "nested_glass", "sphereflake", "dice", "forest", "temple"}) {
+  for (const char* name :
+       {"still_life", "nested_glass", "sphereflake", "dice", "forest", "temple", "own/stone_and_wood"}) {
     INFO(name);
     const lang::Loaded loaded =
         lang::load_file(std::string(RTLANG_SOURCE_DIR "/examples/") + name + ".rtl", lang::LoadOptions{});

@@ -37,8 +37,8 @@ TEST_CASE("materials: where a pattern gives a property, it is what the pattern s
     CHECK(materials.at(1, {0.5, 1.5, 0.5}) == materials.constant(3));
     CHECK_FALSE(materials.constant(2) == materials.constant(3));
   }
-  // color, ambient, diffuse, emission, specular, shininess, metallic, reflect, refract, roughness, coat
-  CHECK(textured == 11);
+  // color, ambient, diffuse, emission, specular, shininess, metallic, reflect, refract, roughness, coat, bump
+  CHECK(textured == 12);
 }
 
 TEST_CASE("materials: a pattern in a pattern, each in its own place, and several properties at once") {

@@ -62,4 +62,9 @@ std::vector<PatternReading> pattern_readings(const scene::Scene& scene, const Su
   return std::move(reader.readings);
 }
 
+bool is_bumpy(const scene::Scene& scene, const Surface& surface) {
+  const scene::Material* material = material_of(scene, surface);
+  return material && std::holds_alternative<scene::PatternId>(material->bump);
+}
+
 } // namespace rt::tools::explain

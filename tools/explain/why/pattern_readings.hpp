@@ -26,4 +26,7 @@ struct PatternReading {
 /// Of all patterns that a surface's material shows there, each before those that it shows.
 std::vector<PatternReading> pattern_readings(const scene::Scene& scene, const Surface& surface);
 
+/// Whether the surface's material bends its normal.
+bool is_bumpy(const scene::Scene& scene, const Surface& surface);
+
 } // namespace rt::tools::explain

@@ -102,7 +102,7 @@ private:
   void surface(const SurfaceNode& s, int indent) {
     write_meeting(answer_, s, page_, indent);
     write_derivation(answer_, s, page_, indent + 2);
-    write_normal(s, page_, indent + 2);
+    write_normal(answer_, s, page_, indent + 2);
     write_shading(answer_, s, page_, indent + 2);
     if (s.total_reflection) {
       write_total_reflection(answer_, s, page_, indent);
@@ -162,7 +162,7 @@ void write_step(const Answer& answer, const PathStep& step, bool is_first, Page&
   const SurfaceNode& s = *step.surface;
   write_meeting(answer, s, page, 2);
   if (is_first) write_derivation(answer, s, page, 4);
-  write_normal(s, page, 4);
+  write_normal(answer, s, page, 4);
   if (step.onwards)
     write_onwards(answer, s, *step.onwards, page, 2);
   else

@@ -240,12 +240,14 @@ void write_derivation(const Answer& answer, const SurfaceNode& s, Page& page, in
   write_derivation(derivation_of(answer, s), page, indent);
 }
 
-void write_normal(const SurfaceNode& s, Page& page, int indent) {
-  const bool is_smooth = !(s.surface.shading_normal == s.surface.normal);
-  page.line(indent, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal),
-                                is_smooth ? fmt::format(", from the corners' normals (the face's own is {})",
-                                                        vector_text(s.surface.normal))
-                                          : ""));
+void write_normal(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {
+  const bool is_own = s.surface.shading_normal == s.surface.normal;
+  const bool is_bent = is_bumpy(answer.scene, s.surface);
+  const std::string origin =
+      is_own ? ""
+             : fmt::format(", {} (the face's own is {})", is_bent ? "bent by `bump`" : "from the corners' normals",
+                           vector_text(s.surface.normal));
+  page.line(indent, fmt::format("unit normal to the viewer n = {}{}", vector_text(s.normal), origin));
 }
 
 void write_shading(const Answer& answer, const SurfaceNode& s, Page& page, int indent) {

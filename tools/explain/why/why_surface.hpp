@@ -11,7 +11,7 @@ namespace rt::tools::explain {
 void write_meeting(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
 /// How the ray hits the shape, and the combination that it is part of, if any.
 void write_derivation(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
-void write_normal(const SurfaceNode& surface, Page& page, int indent);
+void write_normal(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
 /// The terms of its shading.
 void write_shading(const Answer& answer, const SurfaceNode& surface, Page& page, int indent);
 /// The angles and weights of its branches, without the branches.

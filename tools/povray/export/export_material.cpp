@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -51,7 +52,7 @@ private:
     for (const Field& field : fields(&m)) {
       const std::optional<FieldValue> value = field.get(&m);
       const PatternId* id = value ? std::get_if<PatternId>(&*value) : nullptr;
-      if (!id || field.name == "color") continue;
+      if (!id || field.name == "color" || field.name == "bump") continue;
       const Pattern& p = pattern(*id);
       if (const FunctionPattern* computed = std::get_if<FunctionPattern>(&p.layout)) {
         const bool is_linear = field.name != "shininess" && field.name != "roughness";
@@ -231,6 +232,21 @@ private:
   std::vector<std::string>& inexact_;
 };
 
+// What is shown all over, where that is one and the same.
+std::optional<FieldValue> only_shown(const Scene& scene, const FieldValue& shown) {
+  const PatternId* id = std::get_if<PatternId>(&shown);
+  if (!id) return shown;
+  std::vector<std::string> ignored;
+  std::optional<FieldValue> only;
+  for (const PatternText::Part& part :
+       pattern_text(scene.patterns[static_cast<std::size_t>(*id)].layout, ignored).parts) {
+    const std::optional<FieldValue> one = only_shown(scene, part.shown);
+    if (!one || (only && !(*only == *one))) return std::nullopt;
+    only = one;
+  }
+  return only;
+}
+
 // With a power from 1000 on POV-Ray's fading is e^(−(1 − fade_color)·t/fade_distance): ours with the distance after
 // which the darkest channel is down to 1/e.
 std::string absorbed(const Absorb& absorb) {
@@ -247,6 +263,9 @@ std::string absorbed(const Absorb& absorb) {
 void write_texture(Writer& out, const std::string& head, const Scene& scene, const Material& material,
                    std::vector<std::string>& inexact) {
   TextureWriter(out, scene, inexact).texture(head, material, {});
+  const PatternId* bumps = std::get_if<PatternId>(&material.bump);
+  if (bumps && !only_shown(scene, *bumps))
+    inexact.push_back("POV-Ray bends normals in another way: `bump` is left out");
   if (material.thin && material.fresnel)
     inexact.push_back("POV-Ray bends what passes a `thin` sheet that mirrors by Fresnel's equations");
   if (material.absorb && is_medium(material))

@@ -118,9 +118,42 @@ GradedValue value_of(const Leopard&) {
 GradedValue value_of(const Spiral& p) {
   return computed(fmt::format("within_period({} * {} + sqrt(x * x + z * z))", p.arms, turns_from_x));
 }
+// Those by chance look alike.
 GradedValue value_of(const Cells&) {
   return own("cells");
 }
+GradedValue value_of(const Noise&) {
+  return own("bozo");
+}
+GradedValue value_of(const Turbulence&) {
+  return own("wrinkles");
+}
+GradedValue value_of(const Marble& p) {
+  return own(fmt::format("marble triangle_wave turbulence {}", number(p.wander)));
+}
+GradedValue value_of(const Wood& p) {
+  return own(fmt::format("wood rotate 90 * x turbulence {}", number(p.wander)));
+}
+GradedValue value_of(const Granite&) {
+  return own("granite");
+}
+GradedValue value_of(const Agate& p) {
+  return own(fmt::format("agate agate_turb {} rotate 90 * x", number(p.wander)));
+}
+GradedValue value_of(const Crackle& p) {
+  using Measure = Crackle::Measure;
+  const char* const form = p.measure == Measure::first    ? "<1, 0, 0>"
+                           : p.measure == Measure::second ? "<0, 1, 0>"
+                                                          : "<-1, 1, 0>";
+  return own(fmt::format("crackle form {}", form));
+}
+GradedValue value_of(const Ripples& p) {
+  return own(p.spread == 0 ? "ripples" : "waves");
+}
+
+template <class P>
+constexpr bool is_by_chance = std::is_same_v<P, Cells> || std::is_same_v<P, Crackle> || std::is_same_v<P, Ripples> ||
+                              std::is_base_of_v<Fractal, P>;
 
 std::string_view keyword(Wave wave) {
   switch (wave) {
@@ -182,8 +215,12 @@ PatternText pattern_text(const PatternLayout& layout, std::vector<std::string>& 
       },
       layout);
   const auto shows_the_same = [&](const PatternText::Part& part) { return part.shown == text.parts[0].shown; };
-  if (std::holds_alternative<Cells>(layout) && !std::all_of(text.parts.begin(), text.parts.end(), shows_the_same))
-    inexact.push_back("POV-Ray's `cells` have other values by chance");
+  std::visit(
+      [&]<class P>(const P&) {
+        if (is_by_chance<P> && !std::all_of(text.parts.begin(), text.parts.end(), shows_the_same))
+          inexact.push_back(fmt::format("POV-Ray has other random numbers: its `{}` only looks alike", P::noun));
+      },
+      layout);
   if (text.parts.size() > most_parts) {
     inexact.push_back("POV-Ray's maps have 256 entries: further stops are left out");
     text.parts.resize(most_parts);

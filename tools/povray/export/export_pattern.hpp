@@ -14,11 +14,11 @@ struct PatternText {
     double place = 0; ///< in the map
     scene::FieldValue shown;
   };
-  std::vector<std::string> declared{}; ///< functions that the head calls: `f1 = function(u) { … }`
-  std::string head{};                  ///< what kind it is
+  std::vector<std::string> declared = {}; ///< functions that the head calls: `f1 = function(u) { … }`
+  std::string head = {};                  ///< what kind it is
   bool is_list = false;
-  std::vector<Part> parts{};
-  std::string tail{};    ///< what POV-Ray wants to read behind a list
+  std::vector<Part> parts = {};
+  std::string tail = {}; ///< what POV-Ray wants to read behind a list
   bool is_mixed = false; ///< the map gives mixtures of its parts
 };
 

@@ -78,7 +78,7 @@ TEST_CASE("POV-Ray: a scene that takes too long is ended, and nothing is left be
   povray::RunOptions options;
   options.time_limit = std::chrono::milliseconds(300);
   CHECK_THROWS_WITH(povray::render("#version 3.7; #while (1) #end", 8, 8, options),
-                    Contains("did not end within 0.3 s"));
+                    Contains("did not finish within 0.3 s"));
   CHECK(folder.is_empty());
 }
 

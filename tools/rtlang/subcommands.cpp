@@ -12,7 +12,7 @@ std::span<const Subcommand> subcommands() {
       {"ast", "SCENE", "prints the syntax tree", declare_ast},
       {"scene", "SCENE [OPTIONS]", "prints the scene description as JSON", declare_scene},
       {"export", "SCENE [-o FILE] [OPTIONS]", "exports the scene to POV-Ray 3.7", declare_export},
-      {"convert", "FILE [-o SCENE]", "converts another program's scene (miniRT .rt) to rtlang's language",
+      {"convert", "FILE [-o SCENE]", "converts another program's scene (miniRT .rt) to rtlang",
        declare_convert},
       {"check", "SCENE [OPTIONS]", "compares the picture with POV-Ray's, pixel by pixel", declare_check},
       {"diff", "A B [-o PICTURE] [OPTIONS]", "measures the difference between two pictures", declare_diff},

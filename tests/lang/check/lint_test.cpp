@@ -69,7 +69,7 @@ TEST_CASE("lint: names, functions, defs and params must be used") {
   CHECK(remarks("def leg() { box {} }\nbox {}") == "W0102 at 1:5");
   CHECK(remarks("param n = 3\nbox {}") == "W0102 at 1:7");
   CHECK(remarks("param n = 3\nbox { size: n }") == "");
-  CHECK(remarks("wood = material { color: peru }\nbox {}") == "W0102 at 1:1");
+  CHECK(remarks("oak = material { color: peru }\nbox {}") == "W0102 at 1:1");
   CHECK(remarks("box {\n  inner = 2\n  size: 1\n}") == "W0102 at 2:3");
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("reference: a noun is described with its own and the common properties
 
 TEST_CASE("reference: a property is described with the things that have it") {
   const std::string text = rt::lang::describe_properties("min_weight");
-  CHECK(text.find("scene.min_weight: number (0.001953125)  in whitted: ") == 0);
+  CHECK(text.find("scene.min_weight: number (0.001953125)  in whitted mode: ") == 0);
   CHECK(rt::lang::describe_properties("radius").find("\ncylinder.radius: number") != std::string::npos);
   CHECK(rt::lang::describe_properties("no such property").empty());
 }

@@ -265,7 +265,7 @@ private:
 
     RayBatch<Size> mirrored;
     for (const Scattering& s : scatterings)
-      if (s.terms.rho != black && (s.terms.is_total || !model_.prune(s, s.terms.rho))) mirror(s, mirrored);
+      if (s.terms.rho != black && (s.terms.is_total || !model_.prune(s, s.terms.rho, depth))) mirror(s, mirrored);
     trace_batch(mirrored, is_together, depth + 1);
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
       const Scattering& s = *mirrored.from[i];
@@ -275,7 +275,7 @@ private:
     RayBatch<Size> refracted;
     std::size_t count = 0;
     for (const Scattering& s : scatterings)
-      if (model_.transmits(s) && !model_.prune(s, s.terms.tau) && transmit(s, depth, refracted))
+      if (model_.transmits(s) && !model_.prune(s, s.terms.tau, depth) && transmit(s, depth, refracted))
         going[count++] = s.at->path;
     trace_batch(refracted, is_together, depth + 1);
     for (std::size_t i = 0; i < refracted.paths.size(); ++i) {

@@ -32,7 +32,8 @@ public:
     path.tree->pruning.end(path.weight * path.passed * share);
   }
   /// Whether a branch is left out for its weight. Then the light that it may bring is estimated.
-  bool prune(const Scattering& s, const Color& share) {
+  bool prune(const Scattering& s, const Color& share, int depth) {
+    if (depth >= scene_.max_depth()) return false; // what would be too deep is black, and costs nothing
     PathState& path = *s.at->path;
     Pruning& pruning = path.tree->pruning;
     const double weight = max_component(path.weight * path.passed * share);
@@ -154,11 +155,12 @@ public:
   /// The path continues unbent, inside `behind`. It gets no deeper, but there must be one level to spare: so POV-Ray
   /// counts. False: there is none.
   bool transmit_straight(const Scattering& s, MediumStacks::List behind, int depth) {
+    PathState& path = *s.at->path;
     if (depth >= scene_.max_depth()) {
+      stop_following(path, s.terms.tau);
       recorder_.too_deep();
       return false;
     }
-    PathState& path = *s.at->path;
     path.passed *= s.terms.tau;
     path.ray = Rules::leave(s.at->surface, path.ray.direction);
     path.inside = behind;

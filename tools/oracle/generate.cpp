@@ -63,9 +63,9 @@ std::string ior(Dice& dice) {
   return dice.chance(0.9) ? text((64 + dice.below(90)) / 64.0) : text(dice.between(1, 2.4));
 }
 
-// A value or a pattern of them.
+// A value or a pattern of them: of few properties, since POV-Ray is given the product of a material's patterns.
 void set_value(Dice& dice, Block& material, const char* name, const std::function<std::string(Dice&)>& value) {
-  if (dice.chance(0.2))
+  if (dice.chance(0.06))
     material.set(name, random_pattern(dice, value,
                                       name != std::string_view("shininess") && name != std::string_view("roughness")));
   else
@@ -84,10 +84,10 @@ void make_physical(Dice dice, Block& m) {
   if (own.chance(0.06)) m.set("metal", metals[own.below(3)]);
   if (own.chance(0.1)) set_value(own, m, "roughness", [](Dice& d) { return text(d.between(0.2, 1)); });
   // Heights that are level, and a coat that is none: POV-Ray has no others.
-  if (own.chance(0.1))
+  if (own.chance(0.03))
     m.set("bump", random_pattern(
                       own, [](Dice&) { return "0.5"; }, true));
-  if (own.chance(0.1)) {
+  if (own.chance(0.03)) {
     m.set("coat", random_pattern(
                       own, [](Dice&) { return "0"; }, true));
     m.set("coat_roughness", text(own.unit())).set("coat_ior", text(own.between(1.1, 2)));

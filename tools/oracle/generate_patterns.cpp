@@ -16,6 +16,9 @@ public:
   Block pattern(int depth) {
     Block b = layout(depth);
     place_pattern(dice_, b);
+    // Hexagons meet in the plane z = 0, where flat shapes stand too: there rounding decides.
+    const bool is_moved = std::ranges::any_of(b.props, [](const Prop& p) { return p.name == "at"; });
+    if (b.head == "hexagon" && !is_moved) b.set("at", text(dice_.point(-0.5, 0.5)));
     return b;
   }
 
@@ -43,6 +46,7 @@ private:
     case 9:
       return cells();
     case 10:
+    case 13:
       return dice_.chance(0.7) ? fractal() : dice_.chance(0.5) ? crackle() : ripples();
     case 11:
     case 12:
@@ -57,7 +61,7 @@ private:
   Block with_parts(const char* noun, std::initializer_list<const char*> parts, int depth) {
     Block b = block(noun);
     for (const char* part : parts) {
-      if (depth < 2 && dice_.chance(0.15))
+      if (depth < 1 && dice_.chance(0.15))
         b.set(part, pattern(depth + 1));
       else
         b.set(part, value_(dice_));
@@ -129,7 +133,7 @@ private:
     std::sort(places.begin(), places.end());
     std::string list;
     for (const double place : places) {
-      const bool is_nested = depth < 2 && dice_.chance(0.15);
+      const bool is_nested = depth < 1 && dice_.chance(0.15);
       const std::string shown = is_nested ? on_one_line(pattern(depth + 1)) : value_(dice_);
       list += fmt::format("{}[{}, {}]", list.empty() ? "" : ", ", text(place), shown);
     }

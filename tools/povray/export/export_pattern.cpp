@@ -74,12 +74,16 @@ PatternText text_of(const Dots& p) {
 // The value of a graded pattern: a pattern of POV-Ray's, or an expression.
 struct GradedValue {
   std::string pattern, expression;
+  bool moves_point = false; ///< the pattern does, and POV-Ray shows the moved point to its parts too
 };
 GradedValue own(std::string pattern) {
-  return {std::move(pattern), {}};
+  return {std::move(pattern), {}, false};
+}
+GradedValue moving(std::string pattern) {
+  return {std::move(pattern), {}, true};
 }
 GradedValue computed(std::string expression) {
-  return {{}, std::move(expression)};
+  return {{}, std::move(expression), false};
 }
 
 // POV-Ray's patterns begin anew after 1.00001: what is to begin anew after 1 is held by this function.
@@ -129,16 +133,16 @@ GradedValue value_of(const Turbulence&) {
   return own("wrinkles");
 }
 GradedValue value_of(const Marble& p) {
-  return own(fmt::format("marble triangle_wave turbulence {}", number(p.wander)));
+  return moving(fmt::format("marble triangle_wave turbulence {}", number(p.wander)));
 }
 GradedValue value_of(const Wood& p) {
-  return own(fmt::format("wood rotate 90 * x turbulence {}", number(p.wander)));
+  return moving(fmt::format("wood rotate 90 * x turbulence {}", number(p.wander)));
 }
 GradedValue value_of(const Granite&) {
   return own("granite");
 }
 GradedValue value_of(const Agate& p) {
-  return own(fmt::format("agate agate_turb {} rotate 90 * x", number(p.wander)));
+  return moving(fmt::format("agate agate_turb {} rotate 90 * x", number(p.wander)));
 }
 GradedValue value_of(const Crackle& p) {
   using Measure = Crackle::Measure;
@@ -189,6 +193,7 @@ PatternText text_of(const P& p) {
     text.declared.push_back(fmt::format("{} = function {{ pattern {{ {} }} }}", name, pattern));
     return name + "(x, y, z)";
   };
+  if (value.moves_point) value = computed(called(value.pattern)); // a function keeps that to itself
   if (p.frequency != 1 || p.phase != 0) {
     const std::string inner = value.pattern.empty() ? value.expression : called(value.pattern);
     value = computed(fmt::format("within_period({} * ({}) + {})", number(p.frequency), inner, number(p.phase)));

@@ -36,12 +36,17 @@ struct LeafSurface {
   std::optional<BentNormal> bent_normal = {};            ///< where its material has bumps
 
   /// Takes `b` for the surface's binding, which is looked up in the space that the surface is in.
-  void bind(BindingId b, const MaterialBindings& bindings) {
+  [[gnu::always_inline]] void bind(BindingId b, const MaterialBindings& bindings) {
     binding = b;
     pattern_point = bindings.pattern_point(b, point.position);
     if (bindings.is_bumpy(b)) [[unlikely]]
-      bent_normal =
-          bindings.bent_normal(b, pattern_point, shading_normal ? shading_normal->value(point.normal) : point.normal);
+      bend(bindings);
+  }
+
+private:
+  [[gnu::noinline]] void bend(const MaterialBindings& bindings) {
+    bent_normal = bindings.bent_normal(binding, pattern_point,
+                                       shading_normal ? shading_normal->value(point.normal) : point.normal);
   }
 };
 

@@ -272,8 +272,7 @@ private:
       if (share(size) >= 0.1 && givers.size() < 4)
         lit_by.insert(light), givers.push_back(fmt::format("{} ({})", name(light), percent_text(share(size))));
     if (share(ambient) >= 0.1) givers.push_back(fmt::format("ambient light ({})", percent_text(share(ambient))));
-    std::string text =
-        fmt::format("{} is lit by {}", title, givers.empty() ? "many lamps" : list_text(givers));
+    std::string text = fmt::format("{} is lit by {}", title, givers.empty() ? "many lamps" : list_text(givers));
     if (share(ambient) > 0.98)
       text = fmt::format("{} is lit by ambient light only", title);
     else if (lit_by.empty() && share(ambient) >= 0.1)

@@ -33,10 +33,6 @@ double FixedSum::value() const {
   return static_cast<double>(upper_) + static_cast<double>(lower_) * 0x1p-64;
 }
 
-bool FixedSum::is_saturated() const {
-  return upper_ >= upper_limit || (upper_ == -upper_limit && lower_ == 0);
-}
-
 void PixelSums::add(std::uint32_t sample, const Color& radiance) {
   auto& sums = sums_[sample % 2];
   sums[0].add(radiance.r);

@@ -14,7 +14,6 @@ public:
   void add(double number);
   void add(const FixedSum& other);
   double value() const;
-  bool is_saturated() const;
   friend bool operator==(const FixedSum&, const FixedSum&) = default;
 
   /// The integer's upper and lower half: value · 2⁶⁴.

@@ -1,5 +1,7 @@
 #include "tools/repl/journal.hpp"
 
+#include "renderer/image/file.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -11,8 +13,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
@@ -41,9 +41,10 @@ private:
   int fd_;
 };
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+// Nothing if it has just been deleted: another session read it too.
+std::string read_if_there(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error) ? read_file(path) : std::string();
 }
 
 std::optional<std::string_view> take_line(std::string_view& text) {
@@ -130,7 +131,7 @@ std::vector<AbandonedSession> find_abandoned_sessions(const std::string& folder)
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
     const std::string path = file.path().string();
     if (file.path().extension() != extension || !Descriptor(path).can_be_locked()) continue;
-    auto session = parse_journal(read_text(path));
+    auto session = parse_journal(read_if_there(path));
     if (!session || session->entries.empty()) {
       ::unlink(path.c_str());
       continue;

@@ -53,9 +53,7 @@ TEST_CASE("fixed sum: it rounds to multiples of 2^-64") {
 
 TEST_CASE("fixed sum: beyond 2^62 it stays there") {
   FixedSum sum;
-  CHECK_FALSE(sum.is_saturated());
   sum.add(1e300);
-  CHECK(sum.is_saturated());
   CHECK(sum.value() == 0x1p62);
   sum.add(1e18);
   CHECK(sum.value() == 0x1p62);

@@ -1,5 +1,7 @@
 #include "tools/povray/run/process.hpp"
 
+#include "renderer/image/file.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -10,8 +12,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace rt::tools {
@@ -69,11 +69,6 @@ private:
   int file_;
 };
 
-std::string read_all(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 } // namespace
 
 ScratchFolder::ScratchFolder() {
@@ -126,7 +121,8 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     end.wait_a_while();
   }
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  result.errors = read_all(launch.errors);
+  std::error_code error;
+  if (std::filesystem::exists(launch.errors, error)) result.errors = read_file(launch.errors);
   return result;
 }
 

@@ -50,15 +50,15 @@ public:
   };
 
   /// During its lifetime errors are in a call of this function from that place.
-  class Call {
+  class TracedCall {
   public:
-    Call(ErrorReporter& reporter, const FunctionInfo& function, Span place)
+    TracedCall(ErrorReporter& reporter, const FunctionInfo& function, Span place)
         : reporter_(reporter), frame_{&function, place, reporter.calls_} {
       reporter_.calls_ = &frame_;
     }
-    Call(const Call&) = delete;
-    Call& operator=(const Call&) = delete;
-    ~Call() { reporter_.calls_ = frame_.caller; }
+    TracedCall(const TracedCall&) = delete;
+    TracedCall& operator=(const TracedCall&) = delete;
+    ~TracedCall() { reporter_.calls_ = frame_.caller; }
 
   private:
     ErrorReporter& reporter_;

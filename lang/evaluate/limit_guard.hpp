@@ -39,12 +39,12 @@ public:
   void check_length(std::size_t instructions, Span place);
 
   /// During its lifetime, calls are nested one level deeper.
-  class Call {
+  class NestedCall {
   public:
-    Call(LimitGuard& guard, Span place) : guard_(guard) { guard_.enter_call(place); }
-    Call(const Call&) = delete;
-    Call& operator=(const Call&) = delete;
-    ~Call() { --guard_.recursion_; }
+    NestedCall(LimitGuard& guard, Span place) : guard_(guard) { guard_.enter_call(place); }
+    NestedCall(const NestedCall&) = delete;
+    NestedCall& operator=(const NestedCall&) = delete;
+    ~NestedCall() { --guard_.recursion_; }
 
   private:
     LimitGuard& guard_;

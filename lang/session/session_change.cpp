@@ -56,14 +56,14 @@ SessionChange::SessionChange(SessionCore& core, const Document& document) : core
   }
 }
 
-std::uint64_t SessionChange::declared_bits(const Entry& entry) const {
+std::uint64_t SessionChange::declared_bits(const RevisedStatement& entry) const {
   if (!entry.fresh) return chunk_of(entry).names[place_in_chunk(entry)];
   std::uint64_t bits = entry.fresh->declares() ? symbol_bit(entry.fresh->key) : 0;
   for (const TopName& name : entry.fresh->names) bits |= symbol_bit(name.name);
   return bits;
 }
 
-std::uint64_t SessionChange::used_bits(const Entry& entry) const {
+std::uint64_t SessionChange::used_bits(const RevisedStatement& entry) const {
   return entry.fresh ? ~std::uint64_t{0} : chunk_of(entry).uses[place_in_chunk(entry)];
 }
 
@@ -234,7 +234,7 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
   const std::vector<Symbol> symbols = mentioned(*draft);
   std::set<Symbol> moved_names;
   for (const TopName& name : entries_[at].get().names) moved_names.insert(name.name);
-  std::vector<Entry> before(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(at)), moved;
+  std::vector<RevisedStatement> before(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(at)), moved;
   for (std::size_t i = at + 1; i <= needed; ++i) {
     const Statement& statement = entries_[i].get();
     const bool moves =
@@ -259,7 +259,7 @@ void SessionChange::move_behind(std::size_t at, std::size_t needed, Draft draft)
 void SessionChange::split(std::size_t at) {
   const StatementRef old = entries_[at].fresh ? entries_[at].fresh : *entries_[at].done;
   if (old->nodes.size() == 1 && old->kind != Kind::repeat) return;
-  std::vector<Entry> parts;
+  std::vector<RevisedStatement> parts;
   for (const Draft& draft : parse(old->text, old->origin, true)) {
     draft->may_print = old->may_print;
     parts.push_back({.fresh = draft});
@@ -303,7 +303,7 @@ void SessionChange::renew_dependents() {
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      Entry& entry = entries_[i];
+      RevisedStatement& entry = entries_[i];
       if (entry.fresh || (used_bits(entry) & changed_bits_) == 0) continue;
       const Statement& done = **entry.done;
       if (!is_affected(done, i)) continue;

@@ -67,7 +67,7 @@ public:
   std::vector<PrintedValue> values;
 
 private:
-  struct Entry {
+  struct RevisedStatement {
     const StatementRef* done = nullptr; // in the original document
     Draft fresh;                        // if set, `done` is out of date
     std::uint32_t chunk = 0;            // of that document
@@ -80,13 +80,13 @@ private:
     std::size_t position;
   };
 
-  const Document::Chunk& chunk_of(const Entry& entry) const { return *old_.chunks()[entry.chunk]; }
-  std::size_t place_in_chunk(const Entry& entry) const {
+  const Document::Chunk& chunk_of(const RevisedStatement& entry) const { return *old_.chunks()[entry.chunk]; }
+  std::size_t place_in_chunk(const RevisedStatement& entry) const {
     return static_cast<std::size_t>(entry.done - chunk_of(entry).statements.data());
   }
   // Bloom filters of symbols: false positives are possible.
-  std::uint64_t declared_bits(const Entry& entry) const;
-  std::uint64_t used_bits(const Entry& entry) const;
+  std::uint64_t declared_bits(const RevisedStatement& entry) const;
+  std::uint64_t used_bits(const RevisedStatement& entry) const;
 
   Draft make_draft(Unit& unit, NodeId node, const std::string& text, const TextOrigin& origin) const;
   Draft redraft(const Statement& old);
@@ -112,7 +112,7 @@ private:
 
   SessionCore& core_;
   Document old_;
-  std::vector<Entry> entries_;
+  std::vector<RevisedStatement> entries_;
   std::unordered_map<std::uint32_t, ChangedName> changed_; // by symbol
   std::uint64_t changed_bits_ = 0;                         // its keys, as a Bloom filter
   // For the messages:

@@ -46,7 +46,7 @@ void SessionChange::report_dependents() {
 Document SessionChange::assemble() {
   DocumentBuilder builder;
   for (std::size_t i = 0; i < entries_.size();) {
-    Entry& entry = entries_[i];
+    RevisedStatement& entry = entries_[i];
     if (entry.fresh) {
       builder.add(StatementRef(std::move(entry.fresh)));
       ++i;
@@ -73,7 +73,7 @@ Document SessionChange::assemble() {
 std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() const {
   Mentioned mentioned{std::vector<bool>(core_.program.symbols.size())};
   const Unit* last = nullptr;
-  for (const Entry& entry : entries_) {
+  for (const RevisedStatement& entry : entries_) {
     if (!entry.fresh || entry.fresh->is_comment() || entry.fresh->unit == last) continue;
     last = entry.fresh->unit;
     for (const Node& node : last->ast.nodes) {
@@ -89,7 +89,7 @@ std::optional<SessionChange::Mentioned> SessionChange::mentioned_by_fresh() cons
 // Of the statements checked before, only those matter whose names the others mention.
 bool SessionChange::check() {
   const std::optional<Mentioned> mentioned = mentioned_by_fresh();
-  const auto matters = [&](const Entry& entry) {
+  const auto matters = [&](const RevisedStatement& entry) {
     if (!mentioned) return true;
     if ((declared_bits(entry) & mentioned->bits) == 0) return false;
     const std::vector<TopName>& names = (*entry.done)->names;
@@ -98,7 +98,7 @@ bool SessionChange::check() {
   };
   std::vector<TopItem> items;
   std::vector<Statement*> fresh; // of the items; null for those checked before
-  for (const Entry& entry : entries_) {
+  for (const RevisedStatement& entry : entries_) {
     if (!entry.fresh) {
       if (!matters(entry)) continue;
       items.emplace_back().names = (*entry.done)->names;
@@ -111,7 +111,7 @@ bool SessionChange::check() {
     }
   }
   const auto further_names = [this](std::vector<std::string_view>& names) {
-    for (const Entry& entry : entries_)
+    for (const RevisedStatement& entry : entries_)
       if (!entry.fresh)
         for (const TopName& name : (*entry.done)->names) names.push_back(core_.program.symbols.name(name.name));
   };
@@ -129,7 +129,7 @@ bool SessionChange::check() {
 
 bool SessionChange::evaluate() {
   std::vector<Statement*> fresh;
-  for (const Entry& entry : entries_)
+  for (const RevisedStatement& entry : entries_)
     if (entry.fresh && !entry.fresh->is_comment()) fresh.push_back(entry.fresh.get());
   if (fresh.empty()) return true;
   Evaluator& evaluator = core_.evaluator;
@@ -155,7 +155,7 @@ bool SessionChange::evaluate() {
 
 // Expressions that are not things were only evaluated to be printed; they do not join the document.
 void SessionChange::take_out_printed() {
-  std::erase_if(entries_, [this](const Entry& entry) {
+  std::erase_if(entries_, [this](const RevisedStatement& entry) {
     if (!entry.fresh || !entry.fresh->made.printed) return false;
     const Value& value = *entry.fresh->made.printed;
     if (value.is_poison() || entry.fresh->made.is_print) return true;
@@ -194,7 +194,7 @@ void SessionChange::check_scene_properties() {
   scene::Scene probe;
   const NodeType& type = core_.program.types.scene();
   std::vector<const PropertyValue*> written(type.properties.size());
-  for (const Entry& entry : entries_) {
+  for (const RevisedStatement& entry : entries_) {
     if ((entry.traits() & trait_properties) == 0) continue;
     for (const PropertyValue& p : entry.get().made.properties) {
       if (p.value.is_poison()) continue;

@@ -139,17 +139,9 @@ bool has_category(const Value& value, Category category) {
   return value.is(ValueKind::thing) && value.thing().type->category == category;
 }
 
-bool is_function(const Value& value) {
-  return value.is(ValueKind::closure);
-}
-
 bool takes_function(const Property& property) {
   return property.is_textured() || property.type == PropertyType::material || property.type == PropertyType::function ||
          property.type == PropertyType::stops;
-}
-
-bool is_pattern(const Value& value) {
-  return has_category(value, Category::pattern);
 }
 
 bool is_material_like(const Value& value) {

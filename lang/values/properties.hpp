@@ -35,11 +35,15 @@ std::optional<Color> as_color(const Value& value);
 /// Whether the value is a thing of that sort.
 bool has_category(const Value& value, Category category);
 /// Whether the value is a function of the scene's, which may stand for the pattern that it is.
-bool is_function(const Value& value);
+inline bool is_function(const Value& value) {
+  return value.is(ValueKind::closure);
+}
 /// Whether such a function may be the property's value.
 bool takes_function(const Property& property);
 /// Whether the value is a pattern.
-bool is_pattern(const Value& value);
+inline bool is_pattern(const Value& value) {
+  return value.is(ValueKind::thing) && has_category(value, Category::pattern);
+}
 /// Whether the value may stand where a material is asked for: a material, a colour, a pattern, a function,
 /// a record.
 bool is_material_like(const Value& value);

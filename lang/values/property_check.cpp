@@ -163,6 +163,12 @@ private:
   std::set<const Thing*> seen_;
 };
 
+/// Of a property that takes patterns. What a pattern holds was checked as colours when it was made.
+std::optional<Diagnostic> check_varying(const Property& property, const Value& value) {
+  if (property.type == PropertyType::color) return std::nullopt;
+  return is_pattern(value) ? PatternCheck(property).run(value.thing()) : check_gives_number(property, value);
+}
+
 /// A pattern where there can be none.
 Diagnostic must_be_constant(const Property& property, const Value& value) {
   Diagnostic mistake = wrong_type(property, value);
@@ -259,13 +265,10 @@ std::optional<Diagnostic> require(bool is_fine, const Property& property, const 
 
 std::optional<Diagnostic> check_value(const Property& property, const Value& value) {
   if (value.is_poison()) return std::nullopt;
-  // What a pattern holds was checked as colours when it was made.
-  if (is_pattern(value) && property.is_textured() && property.type == PropertyType::color) return std::nullopt;
-  if (is_pattern(value) && property.is_textured()) return PatternCheck(property).run(value.thing());
-  if (is_function(value) && property.is_textured())
-    return property.type == PropertyType::color ? std::nullopt : check_gives_number(property, value);
-  if ((is_pattern(value) || is_function(value)) && property.field && !property.field->constant_because.empty())
-    return must_be_constant(property, value);
+  if (is_pattern(value) || is_function(value)) {
+    if (property.is_textured()) return check_varying(property, value);
+    if (property.field && !property.field->constant_because.empty()) return must_be_constant(property, value);
+  }
   switch (property.type) {
   case PropertyType::number:
     if (!value.is_number()) return wrong_type(property, value);

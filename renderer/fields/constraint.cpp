@@ -21,20 +21,8 @@ std::string bounds_text(const Constraint& c) {
   return fmt::format("must be {} and {}", low, high);
 }
 
-// The common case: a number strictly between its bounds is also finite.
-bool is_inside(const Constraint& c, double number) {
-  return number > c.min && number < c.max && !c.is_whole;
-}
-
-bool is_kept(const Constraint& c, double number) {
-  if (is_inside(c, number)) return true;
-  const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
-  const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
-  return std::isfinite(number) && !is_low && !is_high && (!c.is_whole || number == std::floor(number));
-}
-
-bool are_kept(const Constraint& c, double a, double b, double d) {
-  return is_kept(c, a) && is_kept(c, b) && is_kept(c, d);
+bool are_within(const Constraint& c, double a, double b, double d) {
+  return is_within(c, a) && is_within(c, b) && is_within(c, d);
 }
 
 [[gnu::cold]] Violation broken(const Constraint& c, double number) {
@@ -42,36 +30,35 @@ bool are_kept(const Constraint& c, double a, double b, double d) {
   if (!std::isfinite(number)) return {Violated::not_finite, "is not a finite number", found};
   Constraint bounds = c;
   bounds.is_whole = false;
-  return {Violated::out_of_bounds, is_kept(bounds, number) ? "must be a whole number" : bounds_text(c), found};
+  return {Violated::out_of_bounds, is_within(bounds, number) ? "must be a whole number" : bounds_text(c), found};
 }
 
 [[gnu::cold]] Violation first_broken(const Constraint& c, double a, double b, double d) {
-  return broken(c, !is_kept(c, a) ? a : !is_kept(c, b) ? b : d);
+  return broken(c, !is_within(c, a) ? a : !is_within(c, b) ? b : d);
 }
 
 } // namespace
 
-std::optional<Violation> check(const Constraint& constraint, double number) {
-  if (!is_kept(constraint, number)) return broken(constraint, number);
-  if (!constraint.is_nonzero || number != 0) return std::nullopt;
-  return Violation{Violated::out_of_bounds, "must not be 0", "this is 0"};
+Violation violation_of(const Constraint& constraint, double number) {
+  if (!is_within(constraint, number)) return broken(constraint, number);
+  return {Violated::out_of_bounds, "must not be 0", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Vec3& vector) {
-  if (!are_kept(constraint, vector.x, vector.y, vector.z))
+  if (!are_within(constraint, vector.x, vector.y, vector.z))
     return first_broken(constraint, vector.x, vector.y, vector.z);
   if (!constraint.is_nonzero || length(vector) != 0) return std::nullopt;
   return Violation{Violated::no_direction, "must have a direction", "this has length 0"};
 }
 
 std::optional<Violation> check_size(const Constraint& constraint, const Vec3& size) {
-  if (!are_kept(constraint, size.x, size.y, size.z)) return first_broken(constraint, size.x, size.y, size.z);
+  if (!are_within(constraint, size.x, size.y, size.z)) return first_broken(constraint, size.x, size.y, size.z);
   if (!constraint.is_nonzero || (size.x != 0 && size.y != 0 && size.z != 0)) return std::nullopt;
   return Violation{Violated::flattens, "must not be 0: that would flatten the thing", "this is 0"};
 }
 
 std::optional<Violation> check(const Constraint& constraint, const Color& color) {
-  if (are_kept(constraint, color.r, color.g, color.b)) return std::nullopt;
+  if (are_within(constraint, color.r, color.g, color.b)) return std::nullopt;
   return first_broken(constraint, color.r, color.g, color.b);
 }
 

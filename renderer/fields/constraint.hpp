@@ -3,6 +3,7 @@
 #include "renderer/math/color.hpp"
 #include "renderer/math/vec3.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,7 +38,21 @@ struct Violation {
   std::string found; ///< "this is -1"
 };
 
-std::optional<Violation> check(const Constraint& constraint, double number);
+/// Whether a number is finite, within the bounds, and whole where it must be.
+inline bool is_within(const Constraint& c, double number) {
+  if (number > c.min && number < c.max && !c.is_whole) return true; // the common case: it is also finite
+  const bool is_low = c.min_is_excluded ? number <= c.min : number < c.min;
+  const bool is_high = c.max_is_excluded ? number >= c.max : number > c.max;
+  return std::isfinite(number) && !is_low && !is_high && (!c.is_whole || number == std::floor(number));
+}
+
+/// How a number that violates it does.
+Violation violation_of(const Constraint& constraint, double number);
+
+inline std::optional<Violation> check(const Constraint& constraint, double number) {
+  if (is_within(constraint, number) && (!constraint.is_nonzero || number != 0)) return std::nullopt;
+  return violation_of(constraint, number);
+}
 std::optional<Violation> check(const Constraint& constraint, const Vec3& vector);
 std::optional<Violation> check(const Constraint& constraint, const Color& color);
 /// For a vector with a factor for each axis.

@@ -21,7 +21,7 @@ std::size_t FunctionBuilder::KeyHash::operator()(const Instruction& key) const {
 }
 
 FunctionBuilder::FunctionBuilder(std::uint32_t input_count)
-    : input_count_(input_count), entries_(input_count, Entry{Entry::Kind::input, 0, {}}) {}
+    : input_count_(input_count), entries_(input_count, ValueNode{ValueNode::Kind::input, 0, {}}) {}
 
 FunctionBuilder::Node FunctionBuilder::constant(double value) {
   if (!std::isfinite(value)) {
@@ -30,13 +30,13 @@ FunctionBuilder::Node FunctionBuilder::constant(double value) {
   }
   const auto [found, is_new] =
       constants_.try_emplace(std::bit_cast<std::uint64_t>(value), Node{static_cast<std::uint32_t>(entries_.size())});
-  if (is_new) entries_.push_back({Entry::Kind::constant, value, {}});
+  if (is_new) entries_.push_back({ValueNode::Kind::constant, value, {}});
   return found->second;
 }
 
 std::optional<double> FunctionBuilder::constant_value(Node node) const {
-  const Entry& entry = entries_[place(node)];
-  return entry.kind == Entry::Kind::constant ? std::optional(entry.value) : std::nullopt;
+  const ValueNode& entry = entries_[place(node)];
+  return entry.kind == ValueNode::Kind::constant ? std::optional(entry.value) : std::nullopt;
 }
 
 // What is infinite or has no value stays an instruction: constants are finite.
@@ -103,7 +103,7 @@ FunctionBuilder::Node FunctionBuilder::add(Instruction instruction) {
   const auto [found, is_new] =
       instructions_.try_emplace(instruction, Node{static_cast<std::uint32_t>(entries_.size())});
   if (!is_new) return found->second;
-  entries_.push_back({Entry::Kind::instruction, 0, instruction});
+  entries_.push_back({ValueNode::Kind::instruction, 0, instruction});
   ++instruction_count_;
   return found->second;
 }
@@ -112,7 +112,7 @@ Function FunctionBuilder::finish(std::span<const Node> results) const {
   std::vector<bool> is_needed(entries_.size());
   for (const Node result : results) is_needed[place(result)] = true;
   for (std::size_t i = entries_.size(); i-- > 0;) {
-    if (!is_needed[i] || entries_[i].kind != Entry::Kind::instruction) continue;
+    if (!is_needed[i] || entries_[i].kind != ValueNode::Kind::instruction) continue;
     const Instruction& step = entries_[i].instruction;
     const Register operands[] = {step.a, step.b, step.c};
     for (int k = 0; k < operand_count(step.operation); ++k) is_needed[operands[k]] = true;
@@ -124,12 +124,12 @@ Function FunctionBuilder::finish(std::span<const Node> results) const {
   std::vector<Register> registers(entries_.size());
   for (std::uint32_t i = 0; i < input_count_; ++i) registers[i] = i;
   for (std::size_t i = input_count_; i < entries_.size(); ++i) {
-    if (!is_needed[i] || entries_[i].kind != Entry::Kind::constant) continue;
+    if (!is_needed[i] || entries_[i].kind != ValueNode::Kind::constant) continue;
     registers[i] = static_cast<Register>(input_count_ + function.constants.size());
     function.constants.push_back(entries_[i].value);
   }
   for (std::size_t i = input_count_; i < entries_.size(); ++i) {
-    if (!is_needed[i] || entries_[i].kind != Entry::Kind::instruction) continue;
+    if (!is_needed[i] || entries_[i].kind != ValueNode::Kind::instruction) continue;
     registers[i] = static_cast<Register>(function.register_count());
     const Instruction& step = entries_[i].instruction;
     const int count = operand_count(step.operation);

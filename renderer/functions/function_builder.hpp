@@ -35,7 +35,7 @@ public:
 
 private:
   // An input, a constant or an instruction; operands are places of entries before it.
-  struct Entry {
+  struct ValueNode {
     enum class Kind : std::uint8_t { input, constant, instruction } kind;
     double value = 0; // of a constant
     Instruction instruction;
@@ -49,7 +49,7 @@ private:
 
   std::uint32_t input_count_;
   std::size_t instruction_count_ = 0;
-  std::vector<Entry> entries_;
+  std::vector<ValueNode> entries_;
   std::vector<std::uint64_t> seeds_;
   std::unordered_map<std::uint64_t, Node> constants_; // by the bits of the value
   std::unordered_map<std::uint64_t, std::uint16_t> seed_indices_;

@@ -30,7 +30,7 @@ private:
     if (!surface) return true;
     const Vec3& n = surface->shading_normal;
     const auto numbers = stream.group(first_free_group);
-    const Frame frame(dot(n, ray.direction) > 0 ? -n : n);
+    const TangentFrame frame(dot(n, ray.direction) > 0 ? -n : n);
     const Vec3 direction = normalize(frame.vector(to_cosine_hemisphere(numbers[0], numbers[1])));
     ++counts_.shadow;
     return !scene_.nearest_casting(OwnRules::leave(*surface, direction), {0, scene_.reach()}, scratch_);

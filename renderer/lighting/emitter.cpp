@@ -78,7 +78,7 @@ const SphereGeometry* Emitter::ball_seen_from(const Vec3& p) const {
 std::optional<EmitterSample> Emitter::sample(const Vec3& p, double u, double v) const {
   if (const SphereGeometry* ball = ball_seen_from(p)) {
     const Vec3 way = ball->center - p;
-    const Vec3 direction = Frame(normalize(way)).vector(to_cone(u, v, seen_cap_height(*ball, p)));
+    const Vec3 direction = TangentFrame(normalize(way)).vector(to_cone(u, v, seen_cap_height(*ball, p)));
     Hit hit{dot(way, direction), 0}; // it only touches, and rounding says that it does not
     intersect(*ball, {p, direction}, {}, hit);
     return EmitterSample{direction, hit.t};

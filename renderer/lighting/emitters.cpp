@@ -143,11 +143,11 @@ Emitters::Emitters(const CompiledScene& scene) {
   if (!bindings.any_shines()) return;
   Search(*this, bindings).visit(scene.objects(), {{}, bindings.default_binding(), 0});
   // Independent of how the scene was compiled.
-  std::stable_sort(list_.begin(), list_.end(), [](const Entry& a, const Entry& b) {
+  std::stable_sort(list_.begin(), list_.end(), [](const ListedEmitter& a, const ListedEmitter& b) {
     return std::tie(a.order, a.identity.operand) < std::tie(b.order, b.identity.operand);
   });
   std::vector<LightBounds> bounds;
-  for (const Entry& entry : list_) {
+  for (const ListedEmitter& entry : list_) {
     by_identity_.emplace(entry.identity, static_cast<std::uint32_t>(bounds.size()));
     bounds.push_back(entry.emitter.bounds(entry.power));
   }

@@ -39,7 +39,7 @@ private:
   struct IdentityHash {
     std::size_t operator()(const Identity& identity) const;
   };
-  struct Entry {
+  struct ListedEmitter {
     Emitter emitter;
     Identity identity;
     std::uint64_t order; // of its object
@@ -47,7 +47,7 @@ private:
   };
   class Search;
 
-  std::vector<Entry> list_;
+  std::vector<ListedEmitter> list_;
   LightTree tree_;
   std::unordered_map<Identity, std::uint32_t, IdentityHash> by_identity_;
 };

@@ -56,7 +56,7 @@ double SizedLamps::cap_height(const SizedLamp& lamp, const Vec3& p) const {
 SizedLamps::Direction SizedLamps::sample(std::uint32_t index, const Vec3& p, double u, double v) const {
   const SizedLamp& lamp = list_[index];
   const Vec3 middle = lamp.is_sun ? lamp.place : normalize(lamp.place - p);
-  const Vec3 direction = Frame(middle).vector(to_cone(u, v, cap_height(lamp, p)));
+  const Vec3 direction = TangentFrame(middle).vector(to_cone(u, v, cap_height(lamp, p)));
   if (lamp.is_sun) return {direction, std::numeric_limits<double>::infinity()};
   Hit hit{dot(lamp.place - p, direction), 0}; // it only touches, and rounding says that it does not
   intersect(SphereGeometry{lamp.place, lamp.size}, {p, direction}, {}, hit);

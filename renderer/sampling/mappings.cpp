@@ -45,7 +45,7 @@ Vec3 to_triangle(double u, double v) {
   return {1 - b - c, b, c};
 }
 
-Frame::Frame(const Vec3& unit_z) : z_(unit_z) {
+TangentFrame::TangentFrame(const Vec3& unit_z) : z_(unit_z) {
   const double sign = std::copysign(1.0, z_.z), a = -1 / (sign + z_.z), b = z_.x * z_.y * a;
   x_ = {1 + sign * z_.x * z_.x * a, sign * b, -sign * z_.x};
   y_ = {b, sign + z_.y * z_.y * a, -z_.y};

@@ -27,10 +27,10 @@ Vec3 to_cone(double u, double v, double height);
 Vec3 to_triangle(double u, double v);
 
 /// An orthonormal basis, right-handed, z given.
-class Frame {
+class TangentFrame {
 public:
   /// T. Duff et al., Building an Orthonormal Basis, Revisited, JCGT 2017.
-  explicit Frame(const Vec3& unit_z);
+  explicit TangentFrame(const Vec3& unit_z);
   /// From coordinates in this frame.
   Vec3 vector(const Vec3& v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
   /// To coordinates in this frame.

@@ -135,7 +135,7 @@ AreaPoint point_by_area(const ConeGeometry& cone, double u, double v) {
   const double radius = std::sqrt(a + rest * (b - a)), run = cone.top_radius - cone.radius;
   const double share = rest * (cone.radius + cone.top_radius) / (radius + cone.radius);
   const SineCosine around = sine_cosine_of_turns(v);
-  const Vec3 outward = Frame(cone.axis).vector({around.cosine, around.sine, 0});
+  const Vec3 outward = TangentFrame(cone.axis).vector({around.cosine, around.sine, 0});
   return {cone.base + cone.axis * (share * cone.height) + outward * radius,
           normalize(outward * cone.height - cone.axis * run)};
 }

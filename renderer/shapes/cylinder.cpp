@@ -107,7 +107,7 @@ AreaPoint point_by_area(const CylinderGeometry& cylinder, double u, double v) {
   if (const auto end = point_of_ends(cylinder, {cylinder.radius, cylinder.radius}, !is_solid(cylinder), rest, v))
     return *end;
   const SineCosine around = sine_cosine_of_turns(v);
-  const Vec3 outward = Frame(cylinder.axis).vector({around.cosine, around.sine, 0});
+  const Vec3 outward = TangentFrame(cylinder.axis).vector({around.cosine, around.sine, 0});
   return {cylinder.base + cylinder.axis * (rest * cylinder.height) + outward * cylinder.radius, outward};
 }
 

@@ -64,7 +64,7 @@ AreaPoint point_by_area(const DiscGeometry& disc, double u, double v) {
   const Vec2 d = to_disc(u, v);
   const double r2 = disc.radius * disc.radius, hole2 = disc.hole * disc.hole, whole = d.x * d.x + d.y * d.y;
   const double stretch = hole2 == 0 ? disc.radius : std::sqrt((hole2 + (r2 - hole2) * whole) / whole);
-  return {disc.center + Frame(disc.normal).vector({d.x * stretch, d.y * stretch, 0}), disc.normal};
+  return {disc.center + TangentFrame(disc.normal).vector({d.x * stretch, d.y * stretch, 0}), disc.normal};
 }
 
 } // namespace rt

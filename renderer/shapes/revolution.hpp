@@ -100,7 +100,7 @@ std::optional<AreaPoint> point_of_ends(const G& shape, const std::array<double, 
   const bool is_base = u < base;
   const double within = is_base ? u / base : (u - base) / (ends - base);
   const Vec2 d = to_disc(std::min(within, 1.0), v);
-  const Vec3 across = Frame(shape.axis).vector({d.x, d.y, 0});
+  const Vec3 across = TangentFrame(shape.axis).vector({d.x, d.y, 0});
   if (is_base) return AreaPoint{shape.base + across * radii[0], -shape.axis};
   return AreaPoint{shape.base + shape.axis * shape.height + across * radii[1], shape.axis};
 }

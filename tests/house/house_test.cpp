@@ -1,4 +1,4 @@
-// The rules of the house that can be read off the sources: who may include whom, and what the set-up installs.
+// The rules of the house that can be read off the sources: who may include whom.
 
 #include "tests/paths.hpp"
 
@@ -266,13 +266,6 @@ std::vector<std::string> bad_headers(const Sources& sources) {
   return list;
 }
 
-std::vector<std::string> words(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> list;
-  for (std::string word; stream >> word;) list.push_back(word);
-  return list;
-}
-
 } // namespace
 
 TEST_CASE("house: every include follows an arrow") {
@@ -358,38 +351,4 @@ TEST_CASE("house: no table is indexed by a variant's position") {
   const std::string position = "[light.source." + std::string("index() ]");
   const Sources bad{{"tools/names.cpp", "return nouns" + position + ";\nreturn table[i];\n"}};
   CHECK(indexed_by_position(bad) == std::vector<std::string>{"tools/names.cpp: " + position});
-}
-
-TEST_CASE("house: tools/packages names a package for all that CMake looks for") {
-  const fs::path root = RTLANG_SOURCE_DIR;
-  std::string cmake = read(root / "CMakeLists.txt");
-  for (const char* folder : {"renderer", "lang", "tools", "tests"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-      if (entry.path().filename() == "CMakeLists.txt") cmake += read(entry.path());
-  const std::string packages = read(root / "tools/packages");
-
-  static const std::regex call(R"((find_package|pkg_check_modules|find_program)\((\w+))");
-  int found = 0;
-  for (auto match = std::sregex_iterator(cmake.begin(), cmake.end(), call); match != std::sregex_iterator(); ++match) {
-    const std::string what = match->str() + ")", name = (*match)[2];
-    if (name == "Threads" || name == "CCACHE") continue; // part of g++'s libraries; named by its package
-    INFO(what << " needs a line in tools/packages that says so");
-    CHECK(packages.find(what) != std::string::npos);
-    ++found;
-  }
-  CHECK(found >= 9);
-}
-
-TEST_CASE("house: every line of tools/packages is a package, who needs it, and why") {
-  std::istringstream lines(read(fs::path(RTLANG_SOURCE_DIR) / "tools/packages"));
-  int count = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    const std::vector<std::string> row = words(line);
-    INFO(line);
-    REQUIRE(row.size() >= 3);
-    CHECK((row[1] == "build" || row[1] == "test"));
-    ++count;
-  }
-  CHECK(count >= 15);
 }

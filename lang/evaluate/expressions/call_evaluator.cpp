@@ -84,8 +84,8 @@ bool CallEvaluator::pass_arguments(const FunctionInfo& function, Frame& frame, N
 // The frame contains the arguments.
 Value CallEvaluator::run(const FunctionInfo& function, Frame& frame, Span place) {
   if (errors_.is_unsure()) return Value::poison();
-  const ErrorReporter::Call call(errors_, function, place);
-  const LimitGuard::Call depth(limits_, place);
+  const ErrorReporter::TracedCall call(errors_, function, place);
+  const LimitGuard::NestedCall depth(limits_, place);
   if (!fill_defaults(function, frame, place)) return Value::poison();
   function.was_run = true;
   return expressions_.evaluate(function.body, {function.unit, &frame});

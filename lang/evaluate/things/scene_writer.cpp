@@ -85,20 +85,18 @@ void SceneWriter::put(const ThingView& described, Target& target) {
                                  : "write it after `material:`, or as a material's `color`"));
 }
 
-// The noun's prototype with its fields as set.
-Prototype SceneWriter::filled(const NodeType& type, std::span<const PropertyValue> properties) {
-  Prototype made = type.prototype;
+void SceneWriter::set_fields(Prototype& made, const NodeType& type, std::span<const PropertyValue> properties) {
   void* const fields = owner(made);
   for (const PropertyValue& p : properties) {
     const Property& property = type.properties[p.id];
     if (property.common == Common::none) property.field->set(fields, description_.field_value(property, p.value));
   }
-  return made;
 }
 
 std::optional<Prototype> SceneWriter::make(const ThingView& described) {
-  Prototype made = filled(*described.type, described.properties);
-  const std::optional<scene::Problem> problem = problem_of(made);
+  std::optional<Prototype> made(described.type->prototype);
+  set_fields(*made, *described.type, described.properties);
+  const std::optional<scene::Problem> problem = problem_of(*made);
   if (!problem) return made;
   fail(errors::properties_disagree(place_of(described.properties, *described.type, problem->field, described.place),
                                    problem->message, {}, problem->advice));
@@ -117,7 +115,8 @@ std::optional<scene::ShapeRef> SceneWriter::shape(const ThingView& described) {
 // Of a thing that is about to be copied: its copies will share it.
 std::optional<scene::ShapeRef> SceneWriter::shared_shape(const Thing& thing) {
   if (thing.shape || errors_.is_unsure() || is_poisoned(thing.properties)) return thing.shape;
-  Prototype made = filled(*thing.type, thing.properties);
+  Prototype made = thing.type->prototype;
+  set_fields(made, *thing.type, thing.properties);
   if (problem_of(made)) return std::nullopt; // reported when it is placed, if it is
   thing.shape = add_shape(scene_.shapes, std::move(made));
   evaluation_.may_have_unused = true;

@@ -46,7 +46,7 @@ private:
                      Target& target);
   std::optional<scene::ShapeRef> shape(const ThingView& described);
   std::optional<scene::ShapeRef> content_shape(Content& content, const NodeType& type, Span place);
-  Prototype filled(const NodeType& type, std::span<const PropertyValue> properties);
+  void set_fields(Prototype& made, const NodeType& type, std::span<const PropertyValue> properties);
   std::optional<Prototype> make(const ThingView& described);
   ObjectAttributes attributes_of(const ThingView& described);
   bool is_operand(const ThingView& described, scene::ShapeRef made);

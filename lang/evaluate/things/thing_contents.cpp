@@ -131,8 +131,8 @@ bool ThingEvaluator::is_same_instance(const Thing& known, const Thing& thing) {
 void ThingEvaluator::run_def(const Thing& thing, Content& content) {
   const FunctionInfo& def = *thing.def;
   content.is_pending = false;
-  const ErrorReporter::Call call(errors_, def, thing.span);
-  const LimitGuard::Call depth(limits_, thing.span);
+  const ErrorReporter::TracedCall call(errors_, def, thing.span);
+  const LimitGuard::NestedCall depth(limits_, thing.span);
   const FrameScope frame(evaluation_.frames, make_frame(heap_, thing.def_frame, def.frame_size));
   bool is_fine = true;
   for (const PropertyValue& p : thing.properties) {

@@ -71,8 +71,8 @@ Color PathTracer::irradiance(const Vec3& point, const Vec3& normal, const Sample
   static const MaterialTables no_tables = make_material_tables(white_matte, std::array{1.0});
   Path path{walker_.start({point, -normal}, inside), stream};
   const Surface surface{{point, normal, rounding_bound(64) * (magnitude(point) + 1)}, normal};
-  const ScatteringPoint at{surface, Frame(normal), Bsdf(white_matte, no_tables, 1, {0, 0, 1}),
-                           false,   &walker_,      path.walk};
+  const ScatteringPoint at{surface,  TangentFrame(normal), Bsdf(white_matte, no_tables, 1, {0, 0, 1}), false, &walker_,
+                           path.walk};
   if (scatter(path, at)) continue_path(path);
   return path.sum * std::numbers::pi;
 }

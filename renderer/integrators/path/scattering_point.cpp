@@ -9,7 +9,7 @@ namespace rt {
 ScatteringPoint scattering_point(const PathScene& scene, const Walker& walker, const Walk& walk, const Surface& surface,
                                  const MaterialValues& values) {
   constexpr double least_cosine = 1e-9; // for a surface seen edge-on, or whose normal faces away
-  const Frame frame(OwnRules::turned_normal(surface, walk.ray.direction));
+  const TangentFrame frame(OwnRules::turned_normal(surface, walk.ray.direction));
   Vec3 wo = frame.local(-walk.ray.direction);
   wo.z = std::max(wo.z, least_cosine);
   return {surface,

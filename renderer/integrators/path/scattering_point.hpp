@@ -12,7 +12,7 @@ namespace rt {
 /// Where a path hits a surface, and how it scatters light there.
 struct ScatteringPoint {
   Surface surface;
-  Frame frame; ///< about the shading normal, facing the viewer
+  TangentFrame frame; ///< about the shading normal, facing the viewer
   Bsdf bsdf;
   bool is_boundary;     ///< it bounds a medium
   const Walker* walker; ///< that arrived there

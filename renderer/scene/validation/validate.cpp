@@ -64,7 +64,7 @@ private:
   void check_ids(const Object& object);
   bool exists(ShapeRef shape) const;
   template <class S>
-  void check_leaf(const S& shape, ShapeRef ref);
+  void check_leaf(const S& shape, bool is_seen);
   void enter(ShapeRef composite);
   void check_material(std::size_t index);
   void check_pattern(std::size_t index);
@@ -76,9 +76,9 @@ private:
 
   const Scene& scene_;
   std::vector<ListFrame> frames_;
-  std::array<std::vector<bool>, ShapeKinds::size> seen_shapes_;
-  std::array<std::vector<State>, ShapeKinds::size> states_; // of composites
-  std::vector<bool> seen_materials_, seen_patterns_, seen_transforms_;
+  std::array<std::vector<char>, ShapeKinds::size> seen_shapes_; // of leaves; not bits, for speed
+  std::array<std::vector<State>, ShapeKinds::size> states_;     // of composites
+  std::vector<char> seen_materials_, seen_patterns_, seen_transforms_;
   bool has_bad_references_ = false;
 };
 
@@ -165,15 +165,16 @@ void Validation::check_object(const Object& object) {
     return add(Kind::reference, path() + ".shape", "there is no such shape");
   }
   if (refers_to_composite(object.shape)) return enter(object.shape);
-  if (frames_.back().are_operands || !seen_shapes_[object.shape.kind][object.shape.index])
-    scene_.shapes.visit(object.shape, [&](const auto& shape) { check_leaf(shape, object.shape); });
+  char& is_seen = seen_shapes_[object.shape.kind][object.shape.index];
+  if (!is_seen || frames_.back().are_operands)
+    scene_.shapes.visit(object.shape, [&](const auto& shape) { check_leaf(shape, std::exchange(is_seen, true)); });
 }
 
 void Validation::check_ids(const Object& object) {
   if (object.material != no_material) {
     const auto index = static_cast<std::size_t>(object.material);
     if (index < scene_.materials.size()) {
-      check_material(index);
+      if (!seen_materials_[index]) check_material(index);
     } else {
       has_bad_references_ = true;
       add(Kind::reference, path() + ".material", "there is no such material");
@@ -196,12 +197,9 @@ bool Validation::exists(ShapeRef shape) const {
 }
 
 template <class S>
-void Validation::check_leaf(const S& shape, ShapeRef ref) {
+void Validation::check_leaf(const S& shape, bool is_seen) {
   if constexpr (!is_composite<S>) {
-    if (!seen_shapes_[ref.kind][ref.index]) {
-      seen_shapes_[ref.kind][ref.index] = true;
-      if (!check_thing(shape, [&] { return path(); })) return;
-    }
+    if (!is_seen && !check_thing(shape, [&] { return path(); })) return;
     if (frames_.back().are_operands && !check(shape) && !is_solid(geometry(shape)))
       add(Kind::operand, path(), fmt::format("a {} is open: it has no inside, so it cannot be combined", S::noun));
   }
@@ -223,8 +221,7 @@ void Validation::enter(ShapeRef composite) {
 }
 
 void Validation::check_material(std::size_t index) {
-  if (seen_materials_[index]) return;
-  seen_materials_[index] = true;
+  if (std::exchange(seen_materials_[index], true)) return;
   const Material& material = scene_.materials[index];
   const std::string where = at("materials", index);
   check_fields(fields(&material), &material, [&] { return where; });
@@ -232,8 +229,7 @@ void Validation::check_material(std::size_t index) {
 }
 
 void Validation::check_pattern(std::size_t index) {
-  if (seen_patterns_[index]) return;
-  seen_patterns_[index] = true;
+  if (std::exchange(seen_patterns_[index], true)) return;
   const Pattern& pattern = scene_.patterns[index];
   const std::string where = at("patterns", index);
   check_placement(pattern.placement, where);
@@ -296,8 +292,7 @@ void Validation::check_placement(const Placement& placement, const std::string& 
 }
 
 void Validation::check_transform(std::size_t index) {
-  if (seen_transforms_[index]) return;
-  seen_transforms_[index] = true;
+  if (std::exchange(seen_transforms_[index], true)) return;
   if (flattens(scene_.transforms[index])) check_placement(scene_.transforms[index], at("transforms", index));
 }
 

@@ -74,7 +74,7 @@ TEST_CASE("mappings: the triangle is filled evenly") {
 
 TEST_CASE("mappings: a frame is right-handed, at right angles, whatever its z") {
   for (const Vec3& z : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{0.6, 0, 0.8}, Vec3{0, 1, 0}, Vec3{0.48, -0.6, -0.64}}) {
-    const Frame frame(z);
+    const TangentFrame frame(z);
     const Vec3 x = frame.vector({1, 0, 0}), y = frame.vector({0, 1, 0});
     CHECK(length(frame.vector({0, 0, 1}) - z) == 0);
     CHECK(length(cross(x, y) - z) < 1e-15);

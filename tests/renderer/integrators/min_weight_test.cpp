@@ -108,8 +108,8 @@ TEST_CASE("min_weight: depth 20 costs hardly more than depth 8") {
 
 TEST_CASE("min_weight: parallel mirrors are followed down to it, and what is left out is what they have shown") {
   // ρ = ½, e = 0.1: all light is 0.2, and so is what comes in along any ray. 0.07 + 2.2·0.2 = 0.51 of `min_weight` may
-  // be missing, a 16th of that at once, and a quarter of a ray's weight counts. So a ray that weighs ¼ of `min_weight`
-  // is followed, one of ⅛ is not: that is less than 0.51 · 4/16.
+  // be missing, a 24th of that at once, and 0.3 of a ray's weight counts. So a ray that weighs ⅛ of `min_weight` is
+  // followed, one of 1/16 is not: that is less than 0.51 / (24 · 0.3) = 0.071.
   SceneBuilder k;
   scene::Material m;
   m.ambient = m.diffuse = grey(0), m.emission = grey(0.1), m.reflect = grey(0.5);
@@ -121,7 +121,7 @@ TEST_CASE("min_weight: parallel mirrors are followed down to it, and what is lef
     k.scene.min_weight = least;
     const Traced pruned = traced(k, {{{0, 0, 0}, {0, 0, 1}}});
     CHECK(pruned.colors[0].r == Approx(0.2).epsilon(1e-14));
-    CHECK(pruned.counts.reflected == static_cast<std::uint64_t>(2 - std::log2(least)));
+    CHECK(pruned.counts.reflected == static_cast<std::uint64_t>(3 - std::log2(least)));
   }
 }
 

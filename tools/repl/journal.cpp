@@ -41,12 +41,6 @@ private:
   int fd_;
 };
 
-// Nothing if it has just been deleted: another session read it too.
-std::string read_if_there(const std::string& path) {
-  std::error_code error;
-  return fs::exists(path, error) ? read_file(path) : std::string();
-}
-
 std::optional<std::string_view> take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -70,6 +64,15 @@ std::optional<AbandonedSession> parse_journal(std::string_view text) {
     text.remove_prefix(length + 1);
   }
   return session;
+}
+
+// Nothing if it cannot be read: another session that starts may have deleted it just now.
+std::optional<AbandonedSession> read_journal(const std::string& path) {
+  try {
+    return parse_journal(read_file(path));
+  } catch (const std::system_error&) {
+    return std::nullopt;
+  }
 }
 
 } // namespace
@@ -131,7 +134,7 @@ std::vector<AbandonedSession> find_abandoned_sessions(const std::string& folder)
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
     const std::string path = file.path().string();
     if (file.path().extension() != extension || !Descriptor(path).can_be_locked()) continue;
-    auto session = parse_journal(read_if_there(path));
+    auto session = read_journal(path);
     if (!session || session->entries.empty()) {
       ::unlink(path.c_str());
       continue;
